@@ -1,0 +1,50 @@
+# Every switch a builder may want, in one place.
+option(DRT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(DRT_BUILD_BENCHMARKS "Build the benchmarks" OFF)
+option(DRT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (CI does)" OFF)
+option(DRT_CCACHE "Compile through ccache when it is installed" ON)
+set(DRT_ARCH native CACHE STRING
+  "Instruction set: 'native' (tuned to this machine) or a -march value such as x86-64-v2 (portable), x86-64-v3, x86-64-v4")
+set(DRT_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=, for example 'address,undefined' or 'thread'")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+if(DRT_CCACHE)
+  find_program(DRT_CCACHE_PROGRAM ccache)
+  if(DRT_CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${DRT_CCACHE_PROGRAM})
+  endif()
+endif()
+
+# Flags that the whole library and everything that includes its SIMD headers must agree on
+# (lane width follows from -march, so mixing widths would break the one-definition rule).
+add_library(drt_flags INTERFACE)
+add_library(drt::flags ALIAS drt_flags)
+target_compile_features(drt_flags INTERFACE cxx_std_20)
+# -fno-math-errno/-fno-trapping-math let GCC vectorise sqrt and comparisons; NaN and infinity keep
+# their IEEE meaning (no -ffast-math, no -ffinite-math-only).
+target_compile_options(drt_flags INTERFACE -march=${DRT_ARCH} -fno-math-errno -fno-trapping-math)
+
+add_library(drt_build_flags INTERFACE)  # for our own sources only, never exported
+target_link_libraries(drt_build_flags INTERFACE drt_flags)
+# -Wno-psabi: vector types in signatures change the ABI between ISAs; all of drt is one ISA.
+target_compile_options(drt_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi)
+if(DRT_WARNINGS_AS_ERRORS)
+  target_compile_options(drt_build_flags INTERFACE -Werror)
+endif()
+if(DRT_SANITIZE)
+  add_compile_options(-fsanitize=${DRT_SANITIZE} -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=${DRT_SANITIZE})
+  if(DRT_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize-recover=undefined)
+  endif()
+endif()

@@ -1,0 +1,41 @@
+# A room is one folder of libdrt/drt with one purpose, built as one static library.
+#
+#   drt_add_room(<name> DEPENDS <rooms it may include> [LIBRARIES <third-party targets>])
+#
+# Sources are found by globbing the room's folder. DEPENDS is the layering: the ctest `layering`
+# compares it with the #include lines (tests/layering). Third-party libraries are PRIVATE: only a room's
+# .cpp files see them.
+set_property(GLOBAL PROPERTY DRT_ROOMS "")
+set_property(GLOBAL PROPERTY DRT_ROOM_EDGES "")
+
+function(drt_add_room name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/drt/${name}/*.cpp)
+  list(TRANSFORM ARG_DEPENDS PREPEND drt_ OUTPUT_VARIABLE deps)
+  if(sources)
+    add_library(drt_${name} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(drt_${name} PRIVATE drt_build_flags ${ARG_LIBRARIES})
+  else()
+    add_library(drt_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(drt::${name} ALIAS drt_${name})
+  target_include_directories(drt_${name} ${scope} $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>)
+  target_link_libraries(drt_${name} ${scope} drt_flags ${deps})
+  set_property(GLOBAL APPEND PROPERTY DRT_ROOMS ${name})
+  string(REPLACE ";" "," edges "${ARG_DEPENDS}")
+  set_property(GLOBAL APPEND PROPERTY DRT_ROOM_EDGES "${name}:${edges}")
+endfunction()
+
+#   drt_add_test(<name> SOURCES <files> ROOMS <rooms> [LIBRARIES <targets>] [LABELS <labels>])
+#
+# One GoogleTest executable per room; every TEST becomes a ctest case.
+function(drt_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;LIBRARIES;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  list(TRANSFORM ARG_ROOMS PREPEND drt_ OUTPUT_VARIABLE rooms)
+  target_link_libraries(${name} PRIVATE drt_build_flags ${rooms} ${ARG_LIBRARIES} GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}")
+endfunction()

@@ -1,0 +1,233 @@
+#pragma once
+// SIMD lanes. Code in the hot path is written once, as templates over the number type T: a scalar (tests, the
+// one-ray fallback) or Lane<float, W> / Lane<double, W>. std::experimental::simd is the lane type; the helpers here
+// are the few things it lacks or spells awkwardly, each with a scalar twin so that templates need no special case.
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <experimental/simd>
+#include <limits>
+#include <type_traits>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+namespace drt {
+
+namespace stdx = std::experimental;
+
+template <class T, int W>
+using Lane = stdx::simd<T, stdx::simd_abi::deduce_t<T, W>>;
+
+/// Lanes of the machine's width for rays whose geometry is in Real; at least 4, the smallest Embree packet.
+template <class Real>
+inline constexpr int native_width = []() {
+    constexpr int native = int(stdx::native_simd<Real>::size());
+    return native < 4 ? 4 : native;
+}();
+
+template <class T>
+struct LaneTraits {
+    static constexpr int width = 1;
+    using Scalar = T;
+    using Mask = bool;
+    template <class U>
+    using Rebind = U;
+};
+
+template <class S, class Abi>
+struct LaneTraits<stdx::simd<S, Abi>> {
+    static constexpr int width = int(stdx::simd<S, Abi>::size());
+    using Scalar = S;
+    using Mask = typename stdx::simd<S, Abi>::mask_type;
+    template <class U>
+    using Rebind = Lane<U, width>;
+};
+
+template <class T>
+using MaskOf = typename LaneTraits<T>::Mask;
+template <class T>
+using ScalarOf = typename LaneTraits<T>::Scalar;
+/// The same number of lanes of another scalar type.
+template <class T, class U>
+using Rebind = typename LaneTraits<T>::template Rebind<U>;
+template <class T>
+inline constexpr int width_of = LaneTraits<T>::width;
+template <class T>
+inline constexpr bool is_lane = width_of<T> != 1 || !std::is_arithmetic_v<T>;
+
+// ---- conversions ------------------------------------------------------------------------------------------------
+
+/// Scalar to scalar, scalar to lanes (broadcast), lanes to lanes. Float to int truncates.
+template <class To, class From>
+constexpr To num_cast(const From& v) {
+    if constexpr (std::is_same_v<To, From>)
+        return v;
+    else if constexpr (!is_lane<From>)
+        return To(static_cast<ScalarOf<To>>(v));
+    else
+        return stdx::static_simd_cast<To>(v);
+}
+
+/// A mask of lanes of one type as the mask of lanes of another (float compare, int select).
+template <class To, class M>
+MaskOf<To> mask_cast(const M& m) {
+    if constexpr (std::is_same_v<MaskOf<To>, M>)
+        return m;
+    else if constexpr (std::is_same_v<M, bool>)
+        return MaskOf<To>(m);
+    else
+        return stdx::__proposed::static_simd_cast<MaskOf<To>>(m);
+}
+
+// ---- selection and reduction -----------------------------------------------------------------------------------
+
+template <class T>
+T select(const MaskOf<T>& m, const T& a, const T& b) {
+    if constexpr (!is_lane<T>)
+        return m ? a : b;
+    else {
+        T r = b;
+        stdx::where(m, r) = a;
+        return r;
+    }
+}
+
+template <class M>
+bool any(const M& m) {
+    if constexpr (std::is_same_v<M, bool>)
+        return m;
+    else
+        return stdx::any_of(m);
+}
+
+template <class M>
+bool all(const M& m) {
+    if constexpr (std::is_same_v<M, bool>)
+        return m;
+    else
+        return stdx::all_of(m);
+}
+
+template <class M>
+int count(const M& m) {
+    if constexpr (std::is_same_v<M, bool>)
+        return m ? 1 : 0;
+    else
+        return stdx::popcount(m);
+}
+
+template <class M>
+bool lane_bit(const M& m, int i) {
+    if constexpr (std::is_same_v<M, bool>)
+        return m;
+    else
+        return m[i];
+}
+
+template <class T>
+ScalarOf<T> lane(const T& v, int i) {
+    if constexpr (!is_lane<T>)
+        return v;
+    else
+        return v[i];
+}
+
+template <class T>
+T min(const T& a, const T& b) {
+    return select(a < b, a, b);
+}
+template <class T>
+T max(const T& a, const T& b) {
+    return select(a > b, a, b);
+}
+template <class T>
+T clamp(const T& v, const T& lo, const T& hi) {
+    return min(max(v, lo), hi);
+}
+
+template <class T>
+ScalarOf<T> reduce_max(const T& v) {
+    if constexpr (!is_lane<T>)
+        return v;
+    else
+        return stdx::hmax(v);
+}
+template <class T>
+ScalarOf<T> reduce_min(const T& v) {
+    if constexpr (!is_lane<T>)
+        return v;
+    else
+        return stdx::hmin(v);
+}
+
+/// a*b + c, fused where the machine has it.
+template <class T>
+T fma(const T& a, const T& b, const T& c) {
+    return a * b + c;  // contracted by the compiler; stdx::fma falls back to libm calls on some widths
+}
+
+template <class T>
+MaskOf<T> isfinite_lanes(const T& v) {
+    using S = ScalarOf<T>;
+    using std::abs;
+    return abs(v) <= T(std::numeric_limits<S>::max());
+}
+
+// ---- memory ----------------------------------------------------------------------------------------------------
+
+template <class T>
+T load(const ScalarOf<T>* p) {
+    if constexpr (!is_lane<T>)
+        return *p;
+    else
+        return T(p, stdx::element_aligned);
+}
+
+template <class T>
+void store(const T& v, ScalarOf<T>* p) {
+    if constexpr (!is_lane<T>)
+        *p = v;
+    else
+        v.copy_to(p, stdx::element_aligned);
+}
+
+/// The lane numbers 0, 1, 2, ...
+template <class T>
+T iota() {
+    if constexpr (!is_lane<T>)
+        return T(0);
+    else
+        return T([](auto i) { return ScalarOf<T>(i); });
+}
+
+/// The first n lanes.
+template <class T>
+MaskOf<T> first_lanes(int n) {
+    if constexpr (!is_lane<T>)
+        return n > 0;
+    else
+        return iota<T>() < T(ScalarOf<T>(n));
+}
+
+/// p[index] per lane. Every index must be valid, in masked-out lanes too (callers clamp or use 0).
+template <class T, class S, class I>
+T gather(const S* p, const I& index) {
+    static_assert(std::is_same_v<S, ScalarOf<T>>);
+    if constexpr (!is_lane<T>) return p[index];
+#if defined(__AVX512F__)
+    else if constexpr (std::is_same_v<S, float> && width_of<T> == 16)
+        // the masked form: GCC 12 warns of an uninitialised source in the plain one
+        return T(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), __mmask16(0xffff), static_cast<__m512i>(index), p, 4));
+#endif
+#if defined(__AVX2__)
+    else if constexpr (std::is_same_v<S, float> && width_of<T> == 8 && sizeof(index) == 32)
+        return T(_mm256_i32gather_ps(p, static_cast<__m256i>(index), 4));
+#endif
+    else
+        return T([&](auto i) { return p[index[i]]; });
+}
+
+}  // namespace drt
