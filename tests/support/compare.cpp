@@ -1,0 +1,165 @@
+#include "support/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drt {
+namespace {
+
+constexpr int channels = 3;
+constexpr const char* channel_names = "RGB";
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double channel_of(const Rgb& color, int c) { return c == 0 ? color.r : c == 1 ? color.g : color.b; }
+
+/// z with P(|normal| > z) = p: bisection on erfc, exact enough at any p.
+double two_sided_limit(double p) {
+    double low = 0, high = 40;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = (low + high) / 2;
+        (std::erfc(middle / std::sqrt(2.0)) > p ? low : high) = middle;
+    }
+    return high;
+}
+
+/// The normal score of a Student t value (Wallace 1959): within 1 % of z for 2 and more degrees of freedom.
+double normal_score(double t, double freedom) {
+    if (!std::isfinite(t) || freedom > 1e6) return t;
+    const double z = (8 * freedom + 1) / (8 * freedom + 3) * std::sqrt(freedom * std::log1p(t * t / freedom));
+    return std::copysign(z, t);
+}
+
+/// The normal score of a chi^2 value with n degrees of freedom (Wilson and Hilferty 1931).
+double chi_squared_score(double sum, double n) {
+    const double spread = 2 / (9 * n);
+    return (std::cbrt(sum / n) - (1 - spread)) / std::sqrt(spread);
+}
+
+BlockScore score_block(const PictureEstimate& a, const PictureEstimate& b, BlockScore block,
+                       const CompareOptions& options) {
+    double sum_a = 0, sum_b = 0, variance = 0, squared_variances = 0;
+    for (int y = block.y; y < block.y + block.height; ++y) {
+        for (int x = block.x; x < block.x + block.width; ++x) {
+            const size_t i = a.index(x, y);
+            sum_a += channel_of(a.mean[i], block.channel);
+            sum_b += channel_of(b.mean[i], block.channel);
+            for (const double v :
+                 {channel_of(a.variance[i], block.channel), channel_of(b.variance[i], block.channel)}) {
+                variance += v;
+                squared_variances += v * v;
+            }
+        }
+    }
+    const double pixels = double(block.width) * block.height;
+    block.mean_a = sum_a / pixels;
+    block.mean_b = sum_b / pixels;
+    block.sigma = std::sqrt(variance) / pixels;
+    const double tolerance =
+        std::max(options.absolute_tolerance,
+                 options.relative_tolerance * std::max(std::abs(block.mean_a), std::abs(block.mean_b)));
+    const double difference = block.mean_a - block.mean_b;
+    const double excess = std::copysign(std::max(0.0, std::abs(difference) - tolerance), difference);
+    if (!std::isfinite(difference) || !std::isfinite(block.sigma)) {
+        block.z = infinity;
+    } else if (block.sigma == 0) {
+        block.z = excess == 0 ? 0 : std::copysign(infinity, excess);
+    } else {
+        // One degree of freedom a pixel is the least a variance can rest on.
+        block.z = normal_score(excess / block.sigma, variance * variance / squared_variances);
+    }
+    return block;
+}
+
+std::vector<BlockScore> score_blocks(const PictureEstimate& a, const PictureEstimate& b, int channel,
+                                     const CompareOptions& options) {
+    std::vector<BlockScore> blocks;
+    for (int y = 0; y < a.height; y += options.block) {
+        for (int x = 0; x < a.width; x += options.block) {
+            BlockScore block;
+            block.x = x, block.y = y, block.channel = channel;
+            block.width = std::min(options.block, a.width - x);
+            block.height = std::min(options.block, a.height - y);
+            blocks.push_back(score_block(a, b, block, options));
+        }
+    }
+    return blocks;
+}
+
+std::string describe(const BlockScore& block) {
+    return fmt::format(
+        "  {} of pixels [{}, {}) x [{}, {}): {:.6g} and {:.6g}, difference {:+.3g}, sigma {:.2g}, z {:+.2f}\n",
+        channel_names[block.channel], block.x, block.x + block.width, block.y, block.y + block.height, block.mean_a,
+        block.mean_b, block.mean_a - block.mean_b, block.sigma, block.z);
+}
+
+/// Asks the three questions of one channel and appends what failed to the report.
+void judge_channel(const std::vector<BlockScore>& blocks, const BlockScore& whole, double alpha,
+                   CompareResult& result) {
+    const char name = channel_names[whole.channel];
+    const double n = double(blocks.size());
+    double worst = 0, sum = 0;
+    for (const BlockScore& block : blocks) {
+        worst = std::max(worst, std::abs(block.z));
+        sum += block.z * block.z;
+    }
+    const double block_limit = two_sided_limit(-std::expm1(std::log1p(-alpha) / n));  // Sidak
+    const double sum_limit = two_sided_limit(2 * alpha);                              // one-sided
+    const double mean_limit = two_sided_limit(alpha);
+    const double sum_score = std::isfinite(sum) ? chi_squared_score(sum, n) : infinity;
+    const auto judge = [&](bool failed, const std::string& text) {
+        if (!failed) return;
+        result.same = false;
+        result.report += text;
+    };
+    judge(worst > block_limit, fmt::format("{}: worst block |z| = {:.2f} > {:.2f}\n", name, worst, block_limit));
+    judge(sum_score > sum_limit,
+          fmt::format("{}: all blocks: sum of z^2 = {:.1f} over {} blocks, score {:.2f} > {:.2f}\n", name, sum,
+                      blocks.size(), sum_score, sum_limit));
+    judge(std::abs(whole.z) > mean_limit,
+          fmt::format("{}: whole picture |z| = {:.2f} > {:.2f}: means {:.6g} and {:.6g}\n", name, std::abs(whole.z),
+                      mean_limit, whole.mean_a, whole.mean_b));
+}
+
+}  // namespace
+
+PictureEstimate estimate_from_replicates(const Image& a, const Image& b) {
+    PictureEstimate estimate(a.width, a.height);
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            const float *p = a.pixel(x, y), *q = b.pixel(x, y);
+            const Rgb first{p[0], p[1], p[2]}, second{q[0], q[1], q[2]}, half = (first - second) * 0.5;
+            estimate.mean[estimate.index(x, y)] = (first + second) * 0.5;
+            estimate.variance[estimate.index(x, y)] = half * half;
+        }
+    }
+    return estimate;
+}
+
+CompareResult compare_pictures(const PictureEstimate& a, const PictureEstimate& b, const CompareOptions& options) {
+    CompareResult result;
+    if (a.width != b.width || a.height != b.height) {
+        result.report = fmt::format("sizes differ: {}x{} and {}x{}\n", a.width, a.height, b.width, b.height);
+        return result;
+    }
+    result.same = true;
+    for (int channel = 0; channel < channels; ++channel) {
+        const std::vector<BlockScore> blocks = score_blocks(a, b, channel, options);
+        BlockScore whole;
+        whole.width = a.width, whole.height = a.height, whole.channel = channel;
+        judge_channel(blocks, score_block(a, b, whole, options), options.alpha / (3 * channels), result);
+        result.blocks.insert(result.blocks.end(), blocks.begin(), blocks.end());
+    }
+    std::sort(result.blocks.begin(), result.blocks.end(),
+              [](const BlockScore& p, const BlockScore& q) { return std::abs(p.z) > std::abs(q.z); });
+    result.report = fmt::format("{} (false alarms: {:g} of equal pictures; blocks of {} pixels)\n",
+                                result.same ? "same" : "different", options.alpha, options.block) +
+                    result.report;
+    result.report += "worst blocks:\n";
+    for (size_t i = 0; i < std::min<size_t>(6, result.blocks.size()); ++i) result.report += describe(result.blocks[i]);
+    return result;
+}
+
+}  // namespace drt

@@ -1,0 +1,48 @@
+#pragma once
+// Do two noisy pictures show the same thing? Statistics over blocks of pixels, with stated confidence.
+//
+// Noise averages out over a block and a fault does not, so blocks see faults far below the noise of a pixel. Three
+// questions are asked of each channel: is one block off (its z-score against the Sidak limit for the number of
+// blocks), are many blocks slightly off (sum of z^2 against the chi^2 limit), is the whole picture off (z of the
+// mean). The false alarm rate alpha is shared evenly among them.
+//
+// z-scores allow for variances that are themselves estimates: Student's t with the effective degrees of freedom of
+// the pooled variance (after Welch and Satterthwaite), mapped to a normal score.
+
+#include <string>
+#include <vector>
+
+#include "drt/image/image.h"
+#include "support/estimate.h"
+
+namespace drt {
+
+/// The mean of two independent replicates of a picture (as the film keeps them; 3 or more channels, the first 3
+/// count), each of half the samples, with the variance of the mean told from their difference.
+PictureEstimate estimate_from_replicates(const Image& a, const Image& b);
+
+struct CompareOptions {
+    int block = 8;                     ///< pixels along a block's side
+    double alpha = 1e-4;               ///< probability that equal pictures are called different
+    double relative_tolerance = 1e-5;  ///< differences of block means up to this (of the larger) count as rounding
+    double absolute_tolerance = 1e-7;  ///< the same, absolute
+};
+
+struct BlockScore {
+    int x = 0, y = 0, width = 0, height = 0;  ///< pixels
+    int channel = 0;
+    double mean_a = 0, mean_b = 0;
+    double sigma = 0;  ///< standard error of mean_a - mean_b
+    double z = 0;      ///< of the difference beyond tolerance; infinite where the variance is zero
+};
+
+struct CompareResult {
+    bool same = false;
+    std::string report;              ///< the verdict, the limits and the worst blocks with their coordinates
+    std::vector<BlockScore> blocks;  ///< every block and channel, worst first
+};
+
+/// The pictures must have the same size (else: different).
+CompareResult compare_pictures(const PictureEstimate& a, const PictureEstimate& b, const CompareOptions& = {});
+
+}  // namespace drt
