@@ -1,0 +1,114 @@
+#include "drt/scene/check_fields.h"
+
+namespace drt {
+namespace {
+
+// ---- degenerate shapes: what remains wrong when every single value is fine -----------------------------------------
+
+void check_shape(Report&, const ScenePath&, const Plane&) {}
+void check_shape(Report&, const ScenePath&, const Box&) {}
+void check_shape(Report&, const ScenePath&, const Disc&) {}
+void check_shape(Report&, const ScenePath&, const SphereSet&) {}
+
+void check_shape(Report& report, const ScenePath& at, const Sphere& s) {
+    if (nearly_parallel(s.pole, s.meridian))
+        report.error(at / "meridian", "meridian is parallel to the pole", to_text(s.meridian),
+                     "a direction away from the axis " + to_text(s.pole));
+}
+
+void check_shape(Report& report, const ScenePath& at, const Triangle& t) {
+    if (nearly_parallel(t.vertex1 - t.vertex0, t.vertex2 - t.vertex0))
+        report.error(at, "triangle without area", {}, "three points that are not on one line");
+}
+
+void check_shape(Report& report, const ScenePath& at, const Rectangle& r) {
+    if (nearly_parallel(r.vertex1 - r.vertex0, r.vertex2 - r.vertex0))
+        report.error(at, "rectangle without area", {}, "three points that are not on one line");
+}
+
+void check_shape(Report& report, const ScenePath& at, const Parallelogram& p) {
+    if (nearly_parallel(p.edge0, p.edge1))
+        report.error(at / "edge1", "parallelogram without area", to_text(p.edge1),
+                     "an edge that is not parallel to edge0 " + to_text(p.edge0));
+}
+
+void check_shape(Report& report, const ScenePath& at, const Cylinder& c) {
+    // relative to the coordinates: closer than their rounding is the same point
+    const double scale = std::max(length(c.from), length(c.to));
+    const double axis = length(c.to - c.from);
+    if (axis < 1e-30 || axis < 1e-14 * scale)
+        report.error(at / "to", "cylinder without length", to_text(c.to), "a point away from its other end");
+}
+
+// ---- what goes with which shape ------------------------------------------------------------------------------------
+
+template <class T>
+constexpr bool carries_texture =
+    !std::is_same_v<T, Triangle> && !std::is_same_v<T, Disc> && !std::is_same_v<T, SphereSet>;
+
+std::string shape_name(const Shape& shape) {
+    return std::visit([](const auto& s) { return std::string(Fields<std::remove_cvref_t<decltype(s)>>::name); }, shape);
+}
+
+bool is_textured_badly(const Shape& shape) {
+    return std::visit([](const auto& s) { return !carries_texture<std::remove_cvref_t<decltype(s)>>; }, shape);
+}
+
+void check_physics(Report& report, const ScenePath& at, const Body& body) {
+    const PhysicsDesc& physics = *body.physics;
+    const ScenePath here = at / "physics";
+    const bool dynamic = physics.kind == PhysicsDesc::Kind::dynamic;
+    if (std::holds_alternative<SphereSet>(body.shape))
+        report.error(here, "a sphere_set cannot take part in the simulation", {}, "single spheres");
+    else if (dynamic && std::holds_alternative<Plane>(body.shape))
+        report.error(here / "kind", "an infinite plane cannot move", "dynamic", "fixed");
+    if (!dynamic && !physics.impulses.empty())
+        report.warning(here / "impulses", "impulses have no effect on a fixed body");
+}
+
+using MaterialIndex = std::unordered_map<std::string_view, const Material*>;
+
+std::string suggest_material(const std::string& word, const SceneDesc& scene) {
+    std::vector<std::string_view> names;
+    for (const Material& m : scene.materials) names.push_back(m.name);
+    return nearest_word(word, names);
+}
+
+void check_material_of(Report& report, const ScenePath& at, const SceneDesc& scene, const MaterialIndex& materials,
+                       const Body& body) {
+    const auto found = materials.find(body.material);
+    if (body.material.empty())
+        report.error(at / "material", "body without a material", {}, "the name of a material");
+    else if (found == materials.end())
+        report.error(at / "material", "unknown material", body.material,
+                     materials.empty() ? "a material of this scene, which has none" : "the name of a material",
+                     suggest_material(body.material, scene));
+    else if (!found->second->texture.empty() && is_textured_badly(body.shape))
+        report.error(at / "material", "a " + shape_name(body.shape) + " cannot carry the texture of its material",
+                     body.material,
+                     "a material without texture; textures go on plane, rectangle, parallelogram, box, sphere and "
+                     "cylinder");
+}
+
+}  // namespace
+
+void check_bodies(Report& report, const SceneDesc& scene) {
+    const ScenePath root, list = root / "bodies";
+    check_unique_names(report, list, scene.bodies);
+    MaterialIndex materials;
+    for (const Material& m : scene.materials) materials.try_emplace(m.name, &m);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const Body& body = scene.bodies[i];
+        const ScenePath at = list[i];
+        if (check_fields(report, at, body))
+            std::visit([&](const auto& shape) { check_shape(report, at, shape); }, body.shape);
+        check_material_of(report, at, scene, materials, body);
+        if (body.motion) check_motion(report, at / "motion", *body.motion);
+        if (body.motion && std::holds_alternative<SphereSet>(body.shape))
+            report.error(at / "motion", "a sphere_set cannot move", {}, "single spheres");
+        if (body.physics) check_physics(report, at, body);
+    }
+    if (scene.bodies.empty()) report.warning(list, "the scene has no bodies: every pixel shows the background");
+}
+
+}  // namespace drt

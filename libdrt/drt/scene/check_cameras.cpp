@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <numeric>
+
+#include "drt/scene/check_fields.h"
+
+namespace drt {
+namespace {
+
+// ---- the view ------------------------------------------------------------------------------------------------------
+
+struct View {
+    std::string_view when;  // "" or " at the end"
+    Vec3d eye, target, up;
+};
+
+void check_view(Report& report, const ScenePath& at, const View& view) {
+    const Vec3d direction = view.target - view.eye;
+    // closer than the rounding of the coordinates is the same point
+    const double scale = std::max(length(view.target), length(view.eye));
+    const std::string when(view.when);
+    if (length(direction) < 1e-30 || length(direction) < 1e-14 * scale)
+        report.error(at / "targets", "the camera's target is its position" + when, to_text(view.target),
+                     "a point away from the eye " + to_text(view.eye));
+    else if (nearly_parallel(direction, view.up))
+        report.error(at / "up", "up is parallel to the view" + when, to_text(view.up),
+                     "a direction away from the view " + to_text(direction) + ", for example " +
+                         to_text(std::abs(direction.y) > std::abs(direction.z) ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0}));
+}
+
+void check_views(Report& report, const ScenePath& at, const Camera& camera) {
+    const View start{"", camera.positions.front(), camera.targets.front(), camera.up_start};
+    check_view(report, at, start);
+    const View end{" at the end", camera.positions.back(), camera.targets.back(),
+                   camera.up_end.value_or(camera.up_start)};
+    const bool changes = !(end.eye == start.eye && end.target == start.target && end.up == start.up);
+    if (changes && camera.video_end && !camera.motion) check_view(report, at, end);
+}
+
+// ---- time ----------------------------------------------------------------------------------------------------------
+
+void check_endless(Report& report, const ScenePath& at, const Camera& camera) {
+    if (camera.positions.size() > 1)
+        report.error(at / "positions", "several positions need a video_end", {},
+                     "video_end, the time at which the curve ends");
+    if (camera.targets.size() > 1)
+        report.error(at / "targets", "several targets need a video_end", {},
+                     "video_end, the time at which the curve ends");
+    const auto warn = [&](const ScenePath& path, bool set) {
+        if (set) report.warning(path, "has no effect without a video_end");
+    };
+    warn(at / "up" / "end", camera.up_end.has_value());
+    warn(at / "fov_degrees" / "end", camera.fov_degrees_end.has_value());
+    warn(at / "lens" / "focus_distance" / "end", camera.lens.focus_end.has_value());
+    warn(at / "time_end", camera.time_end.has_value());
+}
+
+void check_interval(Report& report, const ScenePath& at, const Camera& camera) {
+    if (!camera.video_end)
+        check_endless(report, at, camera);
+    else if (!(*camera.video_end > camera.video_start))
+        report.error(at / "video_end", "the camera's video ends before it starts", to_text(*camera.video_end),
+                     "more than video_start " + to_text(camera.video_start));
+}
+
+std::string camera_text(const SceneDesc& scene, std::size_t i) {
+    return scene.cameras[i].name.empty() ? "camera " + std::to_string(i + 1) : '\'' + scene.cameras[i].name + '\'';
+}
+
+// Sweeps over the cameras by start time and compares each with the one that has recorded longest so far.
+void check_overlaps(Report& report, const ScenePath& list, const SceneDesc& scene) {
+    const auto start = [&](std::size_t i) { return scene.cameras[i].video_start; };
+    const auto end = [&](std::size_t i) { return scene.cameras[i].video_end.value_or(2 * largest_number); };
+    std::vector<std::size_t> order(scene.cameras.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return start(a) < start(b); });
+    for (std::size_t i = 1, longest = order.empty() ? 0 : order[0]; i < order.size(); ++i) {
+        const std::size_t here = order[i];
+        if (start(here) < end(longest)) {
+            const std::size_t winner = std::min(here, longest), other = std::max(here, longest);
+            report.warning(list[other] / "video_start", camera_text(scene, other) + " and " +
+                                                            camera_text(scene, winner) + " record at the same time; " +
+                                                            camera_text(scene, winner) + " comes first and does");
+        }
+        if (end(here) > end(longest)) longest = here;
+    }
+}
+
+}  // namespace
+
+void check_cameras(Report& report, const SceneDesc& scene) {
+    const ScenePath root, list = root / "cameras";
+    check_unique_names(report, list, scene.cameras);
+    bool all_fine = true;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        const Camera& camera = scene.cameras[i];
+        const ScenePath at = list[i];
+        if (camera.motion) check_motion(report, at / "motion", *camera.motion);
+        if (!check_fields(report, at, camera)) {
+            all_fine = false;
+            continue;
+        }
+        check_views(report, at, camera);
+        check_interval(report, at, camera);
+        if (camera.motion && camera.positions.size() > 1)
+            report.warning(at / "positions", "motion replaces the positions after the first");
+    }
+    if (scene.cameras.empty()) report.error(list, "the scene has no camera", {}, "at least one");
+    if (all_fine) check_overlaps(report, list, scene);
+}
+
+}  // namespace drt

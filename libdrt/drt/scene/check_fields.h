@@ -1,0 +1,89 @@
+#pragma once
+// Every single value of a struct against the table of its fields. Internal to the scene room.
+
+#include <cmath>
+#include <unordered_map>
+
+#include "drt/scene/report.h"
+#include "drt/scene/scene_fields.h"
+#include "drt/scene/utf8.h"
+#include "drt/scene/value_text.h"
+
+namespace drt {
+
+void check_value(Report&, const ScenePath&, const FieldInfo&, double);
+void check_value(Report&, const ScenePath&, const FieldInfo&, int);
+void check_value(Report&, const ScenePath&, const FieldInfo&, const Vec3d&);
+void check_value(Report&, const ScenePath&, const FieldInfo&, const Color&);
+void check_value(Report&, const ScenePath&, const FieldInfo&, const Quatd&);
+void check_value(Report&, const ScenePath&, const FieldInfo&, const std::string&);
+
+inline void check_value(Report&, const ScenePath&, const FieldInfo&, bool) {}
+inline void check_value(Report&, const ScenePath&, const FieldInfo&, std::uint32_t) {}
+template <IsEnum E>
+void check_value(Report&, const ScenePath&, const FieldInfo&, E) {}
+
+template <HasFields T>
+void check_value(Report&, const ScenePath&, const FieldInfo&, const T&);
+
+template <class V>
+void check_value(Report& report, const ScenePath& at, const FieldInfo& info, const std::optional<V>& value) {
+    if (value) check_value(report, at, info, *value);
+}
+
+template <class V>
+void check_value(Report& report, const ScenePath& at, const FieldInfo& info, const std::vector<V>& list) {
+    for (std::size_t i = 0; i < list.size(); ++i) check_value(report, at[i], info, list[i]);
+}
+
+template <class T, class M>
+void check_entry(Report& report, const ScenePath& at, const T& object, const Field<T, M>& f) {
+    check_value(report, at / f.info.name, f.info, object.*f.member);
+}
+
+template <class T, class Start, class End>
+void check_entry(Report& report, const ScenePath& at, const T& object, const StartEnd<T, Start, End>& f) {
+    check_value(report, at / f.info.name / "start", f.info, object.*f.start);
+    check_value(report, at / f.info.name / "end", f.info, object.*f.end);
+}
+
+template <class T, class V>
+void check_entry(Report& report, const ScenePath& at, const T& object, const OneOrMore<T, V>& f) {
+    check_value(report, at / f.info.name, f.info, object.*f.member);
+    if ((object.*f.member).empty())
+        report.error(at / f.info.name, "no " + std::string(f.info.name), {}, "at least one");
+}
+
+template <class T, class Variant>
+void check_entry(Report& report, const ScenePath& at, const T& object, const Alternatives<T, Variant>& f) {
+    std::visit([&](const auto& alternative) { check_value(report, at, f.info, alternative); }, object.*f.member);
+}
+
+template <HasFields T>
+void check_value(Report& report, const ScenePath& at, const FieldInfo&, const T& object) {
+    for_each_field<T>([&](const auto& entry) { check_entry(report, at, object, entry); });
+}
+
+/// False when something is wrong: then checks of how values go together would only repeat it.
+template <HasFields T>
+bool check_fields(Report& report, const ScenePath& at, const T& object) {
+    const std::size_t before = report.errors;
+    check_value(report, at, FieldInfo{}, object);
+    return report.errors == before;
+}
+
+/// Names must not occur twice in a list. Elements without a name are fine.
+template <class T>
+void check_unique_names(Report& report, const ScenePath& at, const std::vector<T>& list) {
+    std::unordered_map<std::string_view, std::size_t> first;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (list[i].name.empty()) continue;
+        const auto [it, is_new] = first.try_emplace(list[i].name, i);
+        if (is_new) continue;
+        const std::string place = to_string(report.sources.find((at[it->second] / "name").str()));
+        report.error(at[i] / "name", "duplicate name of a " + std::string(Fields<T>::name), list[i].name,
+                     "another name" + (place.empty() ? "" : "; it was first used at " + place));
+    }
+}
+
+}  // namespace drt

@@ -1,0 +1,38 @@
+#pragma once
+// Collects what validate() finds. Internal to the scene room.
+
+#include <string>
+
+#include "drt/scene/scene_desc.h"
+#include "drt/scene/scene_path.h"
+
+namespace drt {
+
+struct Report {
+    const SourceMap& sources;
+    Diagnostics diagnostics{};
+    std::size_t errors = 0;
+
+    void error(const ScenePath&, std::string message, std::string text = {}, std::string expected = {},
+               std::string suggestion = {});
+    void warning(const ScenePath&, std::string message, std::string text = {}, std::string expected = {});
+};
+
+// The parts of validate().
+void check_render(Report&, const SceneDesc&);
+void check_textures(Report&, const SceneDesc&);
+void check_materials(Report&, const SceneDesc&);
+void check_bodies(Report&, const SceneDesc&);
+void check_lights(Report&, const SceneDesc&);
+void check_cameras(Report&, const SceneDesc&);
+
+/// Of a motion whose single values are in order: keys there, in ascending time, first without a turn.
+void check_motion(Report&, const ScenePath&, const Motion&);
+
+/// Nearly parallel, or one of them null: their cross product would be rounding noise.
+bool nearly_parallel(const Vec3d&, const Vec3d&);
+
+/// Too short to be normalised without underflow.
+bool nearly_null(const Vec3d&);
+
+}  // namespace drt
