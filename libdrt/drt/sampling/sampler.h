@@ -7,7 +7,9 @@
 
 #include <cstdint>
 
+#include "drt/base/bits.h"
 #include "drt/base/vec.h"
+#include "drt/sampling/hash.h"
 
 namespace drt {
 
@@ -39,14 +41,94 @@ struct SampleSet {
 
 /// The key of a pixel's sample set: well mixed, so that neighbours, frames, seeds and replicates are independent.
 template <class U>
-U sample_key(std::uint32_t seed, std::uint32_t frame, std::uint32_t replicate, const U& x, const U& y);
+U sample_key(std::uint32_t seed, std::uint32_t frame, std::uint32_t replicate, const U& x, const U& y) {
+    const std::uint32_t image = hash_combine(hash_combine(mix_bits(seed), frame), replicate);
+    return hash_combine(hash_combine(U(image), x), y);
+}
 
-/// In [0, 1) x [0, 1): never 1, also not after rounding to float.
+/// Bits to [0, 1): the upper 24 for float (32 could round up to 1), all 32 for double.
 template <class T>
-Vec2<T> sample_2d(SamplerKind, const SampleSet<T>&, DimId);
+T unit_interval(const Rebind<T, std::uint32_t>& bits) {
+    if constexpr (std::is_same_v<ScalarOf<T>, float>)
+        return num_cast<T>(num_cast<Rebind<T, std::int32_t>>(Rebind<T, std::uint32_t>(bits >> 8))) * T(0x1p-24f);
+    else
+        return num_cast<T>(bits) * T(0x1p-32);
+}
 
-/// In [0, 1).
+/// Owen's nested uniform scrambling in base 2, of a number whose bits are reversed: every bit is flipped by a hash of
+/// the bits below it. Laine and Karras' kind of hash with Vegdahl's constants
+/// (psychopath.io/post/2021_01_30_building_a_better_lk_hash).
+template <class U>
+U owen_scramble_reversed(U v, const U& key) {
+    v ^= v * U(0x3d20adeau);
+    v += key;
+    v *= (key >> 16) | U(1u);
+    v ^= v * U(0x05526c56u);
+    v ^= v * U(0x53a22864u);
+    return v;
+}
+
+/// The generator matrix of Sobol's second dimension applied to an index: the Pascal triangle modulo 2, whose entry
+/// (i, j) is 1 where the bits of i are a subset of those of j (Lucas). So digit i is the sum of the index' bits over
+/// all supersets of i: five masked shifts. Bit 0 of the result is the first digit after the binary point.
+template <class U>
+U sobol_second_digits(U index) {
+    index ^= (index >> 1) & U(0x55555555u);
+    index ^= (index >> 2) & U(0x33333333u);
+    index ^= (index >> 4) & U(0x0f0f0f0fu);
+    index ^= (index >> 8) & U(0x00ff00ffu);
+    index ^= index >> 16;
+    return index;
+}
+
+namespace sampler_detail {
+
+/// Keys of one dimension's index shuffle and its two scrambles.
+template <class U>
+struct DimKeys {
+    U shuffle, x, y;
+};
+
+template <class U>
+DimKeys<U> dim_keys(const U& key, DimId dim) {
+    const U h = hash_combine(key, U(mix_bits(dim + 0x68e31da4u)));
+    return {h, mix_bits(U(h + U(0xb5297a4du))), mix_bits(U(h + U(0x1b56c4e9u)))};
+}
+
+/// The Owen-shuffled index: every aligned block of 2^k indices maps to an aligned block of 2^k.
+template <class U>
+U shuffled_index(const U& index, const U& key) {
+    return reverse_bits(owen_scramble_reversed(reverse_bits(index), key));
+}
+
+}  // namespace sampler_detail
+
+/// In [0, 1) x [0, 1): never 1, also not after rounding to float. Every aligned power-of-two block of indices is a
+/// (0, k, 2)-net. The same bits for scalars and lanes of every width.
 template <class T>
-T sample_1d(SamplerKind, const SampleSet<T>&, DimId);
+Vec2<T> sample_2d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+    using U = Rebind<T, std::uint32_t>;
+    const auto keys = sampler_detail::dim_keys<U>(set.key, dimension);
+    if (kind == SamplerKind::independent) {
+        const U h = hash_combine(keys.shuffle, set.index);
+        return {unit_interval<T>(hash_combine(keys.x, h)), unit_interval<T>(hash_combine(keys.y, h))};
+    }
+    // Sobol's first dimension is the bit-reversed index, so its digits, first digit in bit 0, are the index itself.
+    const U s = sampler_detail::shuffled_index(set.index, keys.shuffle);
+    const U x = reverse_bits(owen_scramble_reversed(s, keys.x));
+    const U y = reverse_bits(owen_scramble_reversed(sobol_second_digits(s), keys.y));
+    return {unit_interval<T>(x), unit_interval<T>(y)};
+}
+
+/// In [0, 1): the x of sample_2d.
+template <class T>
+T sample_1d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+    using U = Rebind<T, std::uint32_t>;
+    const auto keys = sampler_detail::dim_keys<U>(set.key, dimension);
+    if (kind == SamplerKind::independent)
+        return unit_interval<T>(hash_combine(keys.x, hash_combine(keys.shuffle, set.index)));
+    const U s = sampler_detail::shuffled_index(set.index, keys.shuffle);
+    return unit_interval<T>(reverse_bits(owen_scramble_reversed(s, keys.x)));
+}
 
 }  // namespace drt
