@@ -7,3 +7,9 @@ find_package(yaml-cpp 0.7 REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(GTest 1.12 REQUIRED)
 
+
+# Debian 12's OpenImageIO exports OpenCV's include folder, which libopenimageio-dev does not install; CMake refuses
+# to generate with a folder that does not exist.
+get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+list(FILTER oiio_includes EXCLUDE REGEX "opencv")
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")

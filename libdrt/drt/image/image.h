@@ -44,8 +44,9 @@ struct DisplayTransform {
 };
 
 /// Writes RGBA (4 channels; alpha = coverage) linear float, by the file's extension: .exr as scene-linear float with
-/// `metadata` as attributes; everything else OIIO writes (.png .bmp .jpg .tif .hdr ...): integer formats through
-/// `display`, float formats scene-linear.
+/// `metadata` as string attributes; everything else that OIIO can encode in memory (.png .bmp .jpg .tif .hdr .tga ...):
+/// .tif and .hdr as scene-linear float, all others as 8-bit RGB through `display`. Alpha is kept by EXR and TIFF;
+/// a picture for looking at is opaque. Three channels (RGB) are accepted too.
 ///
 /// Atomic: a temporary file in the same folder, fsync, re-opened and verified, then renamed; whatever fails leaves
 /// the old file as it was, removes the temporary and throws Error (output) with the reason (errno text).
