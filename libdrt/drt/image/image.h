@@ -44,7 +44,7 @@ struct DisplayTransform {
 };
 
 /// Writes RGBA (4 channels; alpha = coverage) linear float, by the file's extension: .exr as scene-linear float with
-/// `metadata` as string attributes; everything else that OIIO can encode in memory (.png .bmp .jpg .tif .hdr .tga ...):
+/// `metadata` as string attributes; .png .bmp .jpg .tif .hdr .tga .ppm .webp .gif .dpx through OIIO:
 /// .tif and .hdr as scene-linear float, all others as 8-bit RGB through `display`. Alpha is kept by EXR and TIFF;
 /// a picture for looking at is opaque. Three channels (RGB) are accepted too.
 ///
