@@ -92,7 +92,8 @@ void expect_lanes_equal_scalars() {
             const Vec2<T> p = sample_2d<T>(kind, set, light);
             const T q = sample_1d<T>(kind, set, lens);
             for (int i = 0; i < W; ++i) {
-                const SampleSet<S> one{sample_key<std::uint32_t>(3, 4, 1, first + std::uint32_t(i), first / 7), (first + std::uint32_t(i)) * 3u};
+                const SampleSet<S> one{sample_key<std::uint32_t>(3, 4, 1, first + std::uint32_t(i), first / 7),
+                                       (first + std::uint32_t(i)) * 3u};
                 ASSERT_EQ(lane(set.key, i), one.key);
                 ASSERT_EQ(lane(p.x, i), sample_2d<S>(kind, one, light).x);
                 ASSERT_EQ(lane(p.y, i), sample_2d<S>(kind, one, light).y);

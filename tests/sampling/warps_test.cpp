@@ -142,7 +142,8 @@ TEST(Warps, LanesAgreeWithScalars) {
     for (std::uint32_t first = 0; first < 1024; first += 16) {
         const Vec2<L> u = sample_2d<L>(
             SamplerKind::sobol,
-            {Rebind<L, std::uint32_t>(9u), Rebind<L, std::uint32_t>([&](auto i) { return first + std::uint32_t(i); })}, 0);
+            {Rebind<L, std::uint32_t>(9u), Rebind<L, std::uint32_t>([&](auto i) { return first + std::uint32_t(i); })},
+            0);
         const Vec2<L> disc = uniform_disc(u);
         const auto cone = uniform_cone(u, L(0.3f));
         const auto lobe = power_cosine(u, L(100.0f));
