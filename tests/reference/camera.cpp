@@ -1,0 +1,106 @@
+#include "reference/camera.h"
+
+#include <stdexcept>
+
+#include "drt/base/constants.h"
+#include "reference/motion.h"
+
+namespace drt::reference {
+namespace {
+
+/// Share of the camera's video interval that has passed, in [0, 1]; 0 for an interval without end.
+double progress(const Camera& camera, double video_time) {
+    if (!camera.video_end || *camera.video_end <= camera.video_start) return 0;
+    const double s = (video_time - camera.video_start) / (*camera.video_end - camera.video_start);
+    return std::clamp(s, 0.0, 1.0);
+}
+
+Vec3d bezier(std::vector<Vec3d> points, double s) {  // de Casteljau
+    if (points.empty()) throw std::invalid_argument("a camera needs positions and targets");
+    while (points.size() > 1) {
+        for (size_t i = 0; i + 1 < points.size(); ++i) points[i] = points[i] * (1 - s) + points[i + 1] * s;
+        points.pop_back();
+    }
+    return points.front();
+}
+
+template <class T>
+T mix(const T& start, const std::optional<T>& end, double s) {
+    return end ? start * (1 - s) + *end * s : start;
+}
+
+/// An implicit focus distance is the one from the first position to the first target.
+double focus_distance(const Camera& camera, double s) {
+    const double implicit = length(camera.targets.front() - camera.positions.front());
+    const double start = camera.lens.focus_start.value_or(implicit > 0 ? implicit : 1.0);
+    return mix(start, camera.lens.focus_end, s);
+}
+
+struct View {
+    Vec3d eye, forward, right, up;
+};
+
+View view_at(const Camera& camera, double s, double time) {
+    View view;
+    Vec3d up = mix(camera.up_start, camera.up_end, s);
+    if (camera.motion) {  // replaces the positions and turns the whole view, its up included
+        const Pose pose = pose_at(*camera.motion, time);
+        view.eye = pose.position;
+        view.forward = rotate(pose.orientation, normalize(camera.targets.front() - camera.positions.front()));
+        up = rotate(pose.orientation, up);
+    } else {
+        view.eye = bezier(camera.positions, s);
+        view.forward = normalize(bezier(camera.targets, s) - view.eye);
+    }
+    view.right = normalize(cross(view.forward, up));
+    view.up = cross(view.right, view.forward);
+    return view;
+}
+
+}  // namespace
+
+const Camera& camera_at(const SceneDesc& scene, double video_time) {
+    constexpr double forever = std::numeric_limits<double>::infinity();
+    for (const Camera& camera : scene.cameras)
+        if (video_time >= camera.video_start && video_time < camera.video_end.value_or(forever)) return camera;
+    for (const Camera& camera : scene.cameras)
+        if (video_time >= camera.video_start && video_time <= camera.video_end.value_or(forever)) return camera;
+    throw std::invalid_argument("no camera records this frame");
+}
+
+double sample_video_time(const Shutter& shutter, double opening, double fps, Random& random) {
+    const double duration = shutter.duration.value_or(1 / fps);
+    if (duration == 0) return opening;
+    const double switching = duration * shutter.switch_ratio / 2;
+    for (;;) {
+        const double t = random.between(0, duration);
+        const double weight = switching > 0 ? std::min({1.0, t / switching, (duration - t) / switching}) : 1.0;
+        if (random.uniform() < weight) return opening + t;
+    }
+}
+
+double scene_time(const Camera& camera, double video_time) {
+    const double start = camera.time_start.value_or(camera.video_start);
+    if (!camera.video_end) return start + (video_time - camera.video_start);
+    const double end = camera.time_end.value_or(start + (*camera.video_end - camera.video_start));
+    return start + (end - start) * progress(camera, video_time);
+}
+
+Ray camera_ray(const Camera& camera, double video_time, double x, double y, int width, int height, Random& random) {
+    const double s = progress(camera, video_time);
+    const View view = view_at(camera, s, scene_time(camera, video_time));
+    const double fov = mix(camera.fov_degrees_start, camera.fov_degrees_end, s);
+    const double half_width = std::tan(radians(fov) / 2);  // of the image at distance 1
+    const Vec3d through = view.forward + view.right * ((2 * x / width - 1) * half_width) +
+                          view.up * ((height - 2 * y) / width * half_width);
+    const Lens& lens = camera.lens;
+    if (lens.aperture_radius == 0) return {view.eye, normalize(through)};
+    // plane: `through` is at distance 1 along the view direction; sphere: distance along the ray itself.
+    const Vec3d unit = lens.focus_surface == Lens::FocusSurface::plane ? through : normalize(through);
+    const Vec3d aim = view.eye + unit * focus_distance(camera, s);
+    const Vec2d p = random.disc(lens.distribution == Lens::Distribution::radial);
+    const Vec3d origin = view.eye + (view.right * p.x + view.up * p.y) * lens.aperture_radius;
+    return {origin, normalize(aim - origin)};
+}
+
+}  // namespace drt::reference

@@ -1,0 +1,45 @@
+#pragma once
+// The scene with its references resolved, and the one question asked of it: what does a ray hit first?
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "drt/image/image.h"
+#include "drt/scene/scene_desc.h"
+#include "reference/shapes.h"
+#include "support/estimate.h"
+
+namespace drt::reference {
+
+struct WorldBody {
+    Shape shape;
+    const Motion* motion = nullptr;
+    Material material;
+    std::shared_ptr<const Image> texture;  ///< null: none
+    const Light* light = nullptr;          ///< set: this is a visible light's own body; it has no material
+};
+
+struct World {
+    explicit World(const SceneDesc&);
+    const SceneDesc& scene;
+    std::vector<WorldBody> bodies;
+};
+
+struct Hit {
+    const WorldBody* body = nullptr;
+    double distance = 0;
+    Vec3d point, normal;                      ///< world; the unit geometric normal
+    Vec3d described_point, described_normal;  ///< the same in the pose that the scene describes
+};
+
+/// The nearest hit at scene time `time`.
+std::optional<Hit> first_hit(const World&, const Ray&, double time);
+
+/// Whether anything but the body of `light` is between `from` and `to`.
+bool occluded(const World&, const Vec3d& from, const Vec3d& to, double time, const Light* light);
+
+/// Colour of the body's texture at the hit: bilinear, repeated; texel centres are at half coordinates.
+Rgb texture_color(const Hit&);
+
+}  // namespace drt::reference
