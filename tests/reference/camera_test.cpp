@@ -41,6 +41,19 @@ TEST(ReferenceCamera, PositionsAndTargetsAreBezierCurvesAndUpRolls) {
     EXPECT_EQ(end.origin.x, 2);
 }
 
+TEST(ReferenceCamera, MotionTurnsTheWholeView) {
+    Camera camera;
+    camera.positions = {{0, 0, 0}};
+    camera.targets = {{0, 0, -1}};
+    camera.motion.emplace();  // a quarter turn about the view: right becomes up
+    camera.motion->keys = {{0, {7, 0, 0}, quat_from_axis_angle({0, 0, 1}, std::numbers::pi / 2), {}}};
+    reference::Random random(1, 0, 0, 0);
+    const auto ray = reference::camera_ray(camera, 0, 2, 1, 2, 2, random);  // the right edge's middle
+    EXPECT_EQ(ray.origin.x, 7);
+    EXPECT_NEAR(ray.direction.x, 0, 1e-12);
+    EXPECT_NEAR(ray.direction.y / -ray.direction.z, std::tan(std::numbers::pi / 8), 1e-12);
+}
+
 TEST(ReferenceCamera, TheIntervalThatHoldsTheFrameChoosesTheCamera) {
     SceneDesc scene = still_scene({0, 0, 0}, {0, 0, -1});
     scene.cameras.push_back(scene.cameras[0]);

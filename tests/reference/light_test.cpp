@@ -132,6 +132,13 @@ TEST(ReferenceLight, VisibleLightsEmitAndBlock) {
     EXPECT_EQ(render_pixel(scene).mean, 0);
 }
 
+// Legacy points lie inside the bulb: only its own body must let them through.
+TEST(ReferenceLight, VisibleRadialSphereIsNotBlockedByItself) {
+    Light sphere = light(sphere_at({0, 2, 0}, 1, radial), 3);
+    sphere.visible = true;
+    EXPECT_ESTIMATE(render_pixel(lit_floor(sphere), spp), 3 * 0.25 * 2 * std::asinh(0.5));
+}
+
 // Highlight: mirror of the light about the normal against the direction to the eye.
 TEST(ReferenceLight, PhongHighlight) {
     SceneDesc scene = lit_floor(light(PointLight{{4, 3, 0}}, 2, Falloff::none));  // eye towards (-1, 1, 0)

@@ -51,6 +51,7 @@ TEST(ReferenceMotion, SlerpGoesTheShortWayAndTurnsTheirOwn) {
     motion.keys.push_back({2, {}, {}, Turn{{1, 0, 0}, 180}});  // about a world axis, after the turn before
     const double end = 350 * pi / 180;
     expect_near(rotate(pose_at(motion, 1.5).orientation, x), {std::cos(end), 0, std::sin(end)});
+    expect_near(rotate(pose_at(motion, 2).orientation, x), {std::cos(end), -std::sin(end), 0});
     motion.keys.push_back({3, {}, quat_from_axis_angle(z, pi / 2), {}});  // absolute again
     expect_near(rotate(pose_at(motion, 5).orientation, x), {0, 1, 0});
 }
