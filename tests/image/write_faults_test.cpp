@@ -7,8 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "drt/base/atomic_file.h"
 #include "drt/base/diagnostic.h"
-#include "drt/image/atomic_file.h"
 #include "image/image_files.h"
 
 namespace drt {

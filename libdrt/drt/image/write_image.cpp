@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "drt/base/atomic_file.h"
 #include "drt/base/diagnostic.h"
-#include "drt/image/atomic_file.h"
 #include "drt/image/codec.h"
 #include "drt/image/image.h"
 

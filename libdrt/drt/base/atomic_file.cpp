@@ -1,4 +1,4 @@
-#include "drt/image/atomic_file.h"
+#include "drt/base/atomic_file.h"
 
 #include <fcntl.h>
 #include <signal.h>
