@@ -1,15 +1,18 @@
 #pragma once
 // Sample points: a pure function of (seed, frame, pixel, replicate, index, named dimension). No state anywhere.
 //
-// Every named dimension is its own 2D point set: an Owen-scrambled Sobol (0, 2)-sequence whose index order is Owen-
-// shuffled per dimension (padding), after Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020. Because a
-// dimension is found by its name, a plan that does not draw one never shifts the others.
+// Every named dimension is a 2D point set: an Owen-scrambled Sobol (0, 2)-sequence, with hashes for the scrambles after
+// Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020. A path's dimensions in the order of its events
+// (filter, lens, time, bounce 0, bounce 1, ...) are stratified jointly in fours (joint_index.h); the fours have
+// independently shuffled indices. Because a dimension is found by its name, a plan that does not draw one never shifts
+// the others.
 
 #include <cstdint>
 
 #include "drt/base/bits.h"
 #include "drt/base/vec.h"
 #include "drt/sampling/hash.h"
+#include "drt/sampling/joint_index.h"
 
 namespace drt {
 
@@ -24,6 +27,25 @@ constexpr DimId dim(PathDim d) { return DimId(d); }
 /// `bounce` counts from 0 (the camera ray's hit). `index` tells lights apart; only HitDim::light uses it.
 constexpr DimId dim(HitDim d, int bounce, int index = 0) {
     return 0x100u + DimId(d) + 8u * (DimId(bounce) & 0xffffu) + 0x100000u * DimId(index);
+}
+
+/// Where a dimension stands among those it is stratified with.
+struct JointSlot {
+    std::uint32_t group;  ///< dimensions of a group share a shuffled index
+    int slot;             ///< 0..3: which of the four joint matrices
+};
+
+/// Points on the path (filter, lens, time, then each bounce) fill groups in their order; so do the choices between
+/// lobes or lights, and the roulette. What a path uses for terms that are only added, the lights and the lobe of one
+/// hit, shares a slot: the scrambles differ, so the errors of the terms are independent.
+constexpr JointSlot joint_slot(DimId d) {
+    if (d < 0x100u) return {d / joint_dims, int(d % joint_dims)};
+    const auto kind = HitDim(d & 7u);
+    const std::uint32_t bounce = ((d & 0xfffffu) - 0x100u) >> 3;
+    const bool choice = kind == HitDim::lobe_choice || kind == HitDim::light_choice;
+    const std::uint32_t family = kind == HitDim::roulette ? 2u : choice ? 1u : 0u;
+    const std::uint32_t position = family == 0 ? 3u + bounce : bounce;
+    return {family * 0x10000u + position / joint_dims, int(position % joint_dims)};
 }
 
 enum class SamplerKind {
@@ -83,22 +105,31 @@ U sobol_second_digits(U index) {
 
 namespace sampler_detail {
 
-/// Keys of one dimension's index shuffle and its two scrambles.
+/// Keys of a dimension's two scrambles.
 template <class U>
-struct DimKeys {
-    U shuffle, x, y;
+struct ScrambleKeys {
+    U x, y;
 };
 
 template <class U>
-DimKeys<U> dim_keys(const U& key, DimId dim) {
+ScrambleKeys<U> scramble_keys(const U& key, DimId dim) {
     const U h = hash_combine(key, U(mix_bits(dim + 0x68e31da4u)));
-    return {h, mix_bits(U(h + U(0xb5297a4du))), mix_bits(U(h + U(0x1b56c4e9u)))};
+    return {h, mix_bits(U(h + U(0x1b56c4e9u)))};
 }
 
-/// The Owen-shuffled index: every aligned block of 2^k indices maps to an aligned block of 2^k.
+/// The index within the joint point set, Owen-shuffled by group: every aligned block of 2^k indices maps to an aligned
+/// block of 2^k.
 template <class U>
-U shuffled_index(const U& index, const U& key) {
-    return reverse_bits(owen_scramble_reversed(reverse_bits(index), key));
+U set_index(const U& index, const U& key, DimId dim) {
+    const auto [group, slot] = joint_slot(dim);
+    const U shuffle = hash_combine(key, U(mix_bits(group + 0xb5297a4du)));
+    return joint_index(U(reverse_bits(owen_scramble_reversed(reverse_bits(index), shuffle))), slot);
+}
+
+/// x and y of SamplerKind::independent, before scrambling.
+template <class U>
+U independent_bits(const U& index, const U& scramble_key) {
+    return mix_bits(hash_combine(scramble_key, index));
 }
 
 }  // namespace sampler_detail
@@ -108,13 +139,13 @@ U shuffled_index(const U& index, const U& key) {
 template <class T>
 Vec2<T> sample_2d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
     using U = Rebind<T, std::uint32_t>;
-    const auto keys = sampler_detail::dim_keys<U>(set.key, dimension);
-    if (kind == SamplerKind::independent) {
-        const U h = hash_combine(keys.shuffle, set.index);
-        return {unit_interval<T>(hash_combine(keys.x, h)), unit_interval<T>(hash_combine(keys.y, h))};
-    }
+    using namespace sampler_detail;
+    const auto keys = scramble_keys<U>(set.key, dimension);
+    if (kind == SamplerKind::independent)
+        return {unit_interval<T>(independent_bits(set.index, keys.x)),
+                unit_interval<T>(independent_bits(set.index, keys.y))};
     // Sobol's first dimension is the bit-reversed index, so its digits, first digit in bit 0, are the index itself.
-    const U s = sampler_detail::shuffled_index(set.index, keys.shuffle);
+    const U s = set_index(set.index, set.key, dimension);
     const U x = reverse_bits(owen_scramble_reversed(s, keys.x));
     const U y = reverse_bits(owen_scramble_reversed(sobol_second_digits(s), keys.y));
     return {unit_interval<T>(x), unit_interval<T>(y)};
@@ -124,11 +155,10 @@ Vec2<T> sample_2d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
 template <class T>
 T sample_1d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
     using U = Rebind<T, std::uint32_t>;
-    const auto keys = sampler_detail::dim_keys<U>(set.key, dimension);
-    if (kind == SamplerKind::independent)
-        return unit_interval<T>(hash_combine(keys.x, hash_combine(keys.shuffle, set.index)));
-    const U s = sampler_detail::shuffled_index(set.index, keys.shuffle);
-    return unit_interval<T>(reverse_bits(owen_scramble_reversed(s, keys.x)));
+    using namespace sampler_detail;
+    const U key = scramble_keys<U>(set.key, dimension).x;
+    if (kind == SamplerKind::independent) return unit_interval<T>(independent_bits(set.index, key));
+    return unit_interval<T>(reverse_bits(owen_scramble_reversed(set_index(set.index, set.key, dimension), key)));
 }
 
 }  // namespace drt
