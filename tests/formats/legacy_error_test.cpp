@@ -224,6 +224,7 @@ TEST(LegacyHostile, LargeNonsenseEndsSoon) {
          {"{", "}", "a ", "sphere a {", "sphere a { position { 1 ", "x", "radius 1 ", "sphere ", "\n"})
         EXPECT_LT(seconds_of(repeated(what, size)), 1) << what;
     EXPECT_LT(seconds_of("sphere a { position {" + repeated(" nan", size)), 1);
+    EXPECT_LT(seconds_of("sphere a { position {" + repeated(" 1", size)), 1);
     EXPECT_LT(seconds_of("sphere a { junk " + repeated("{ ", size)), 1);
 }
 

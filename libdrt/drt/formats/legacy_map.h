@@ -27,6 +27,10 @@ struct LegacyMapping {
 
     /// Records where `path` of the SceneDesc was written.
     void mark(const std::string& path, LegacyPlace place) { scene.sources.places[path] = report.location(place); }
+    /// Of what an attribute says. One that was not given is at its element, which SourceMap finds by itself.
+    void mark(const std::string& path, const LegacyElement& e, std::string_view attribute) {
+        if (e.given(attribute)) mark(path, e.value(attribute).place);
+    }
 };
 
 // Each maps its elements in the order of the file and reports what it assumed. Settings come first: the others obey

@@ -37,7 +37,7 @@ struct BodyMapping {
     LegacyMapping& m;
     const LegacyElement& e;
     std::string path;
-    void mark(const char* field, std::string_view attribute) { m.mark(path + '.' + field, e.value(attribute).place); }
+    void mark(const char* field, std::string_view attribute) { m.mark(path + '.' + field, e, attribute); }
 };
 
 Shape map_box(BodyMapping& b) {

@@ -11,17 +11,17 @@ LightShape map_shape(LegacyMapping& m, const LegacyElement& e, const std::string
     if (e.type->kind == LegacyKind::light_rect) {
         const Vec3d x = e.vector("x"), y = e.vector("y");
         if (!m.effects.soft_shadows) return PointLight{position + x * 0.5 + y * 0.5};
-        m.mark(path + ".corner", e.value("position").place);
-        m.mark(path + ".edge_x", e.value("x").place);
-        m.mark(path + ".edge_y", e.value("y").place);
+        m.mark(path + ".corner", e, "position");
+        m.mark(path + ".edge_x", e, "x");
+        m.mark(path + ".edge_y", e, "y");
         return RectLight{.corner = position, .edge_x = x, .edge_y = y};
     }
     if (e.type->kind == LegacyKind::light_bulb && m.effects.soft_shadows) {
-        m.mark(path + ".center", e.value("position").place);
-        m.mark(path + ".radius", e.value("radius").place);
+        m.mark(path + ".center", e, "position");
+        m.mark(path + ".radius", e, "radius");
         return SphereLight{position, e.real("radius"), SphereLight::Distribution::radial};
     }
-    m.mark(path + ".position", e.value("position").place);
+    m.mark(path + ".position", e, "position");
     return PointLight{position};
 }
 
@@ -31,7 +31,7 @@ void map_light(LegacyMapping& m, size_t index) {
     const Vec3d c = e.vector("color");
     m.mark(path, e.place);
     m.mark(path + ".name", e.name_place);
-    m.mark(path + ".color", e.value("color").place);
+    m.mark(path + ".color", e, "color");
     Light light;
     light.name = m.names.name(index);
     light.shape = map_shape(m, e, path);

@@ -20,7 +20,7 @@ void map_texture(LegacyMapping& m, size_t index) {
     const std::string path = "textures[" + std::to_string(m.scene.textures.size()) + ']';
     m.mark(path, e.place);
     m.mark(path + ".name", e.name_place);
-    m.mark(path + ".file", e.value("file").place);
+    m.mark(path + ".file", e, "file");
     m.scene.textures.push_back(std::move(t));
 }
 
@@ -36,9 +36,9 @@ void map_phong(LegacyMapping& m, const LegacyElement& e, const std::string& path
     out.refraction_index = e.real("refraction_index");
     for (const char* same :
          {"ambient", "diffuse", "specular", "shininess", "reflectance", "refraction", "refraction_index"})
-        m.mark(path + '.' + same, e.value(same).place);
-    m.mark(path + ".reflection_spread_degrees", e.value("diffuse_reflection").place);
-    m.mark(path + ".refraction_spread_degrees", e.value("diffuse_refraction").place);
+        m.mark(path + '.' + same, e, same);
+    m.mark(path + ".reflection_spread_degrees", e, "diffuse_reflection");
+    m.mark(path + ".refraction_spread_degrees", e, "diffuse_refraction");
 }
 
 void map_material(LegacyMapping& m, size_t index) {
@@ -53,9 +53,9 @@ void map_material(LegacyMapping& m, size_t index) {
         if (const auto texture = m.names.resolve(index, "texture", m.report)) out.texture = m.names.name(*texture);
         out.scale_u = e.real("scale_U");
         out.scale_v = e.real("scale_V");
-        m.mark(path + ".texture", e.value("texture").place);
-        m.mark(path + ".scale_u", e.value("scale_U").place);
-        m.mark(path + ".scale_v", e.value("scale_V").place);
+        m.mark(path + ".texture", e, "texture");
+        m.mark(path + ".scale_u", e, "scale_U");
+        m.mark(path + ".scale_v", e, "scale_V");
     }
     if (out.name != e.name) m.report.note(e.name_place, "renamed to " + out.name + ": another material has this name");
     m.scene.materials.push_back(std::move(out));

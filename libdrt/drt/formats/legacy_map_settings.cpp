@@ -82,8 +82,8 @@ void map_camera(LegacyMapping& m, const LegacyElement& settings, size_t index, c
 
     const std::string path = "cameras[" + std::to_string(m.scene.cameras.size()) + ']';
     m.mark(path, e.place);
-    const std::pair<const char*, const char*> places[] = {{"name", ""},
-                                                          {"positions", "add_position"},
+    m.mark(path + ".name", e.name_place);
+    const std::pair<const char*, const char*> places[] = {{"positions", "add_position"},
                                                           {"targets", "add_target"},
                                                           {"up", "sky_start"},
                                                           {"up.end", "sky_end"},
@@ -95,11 +95,10 @@ void map_camera(LegacyMapping& m, const LegacyElement& settings, size_t index, c
                                                           {"time_end", "time_end"},
                                                           {"lens.focus_distance", "DOF_start"},
                                                           {"lens.focus_distance.end", "DOF_end"}};
-    for (const auto& [field, attribute] : places)
-        m.mark(path + '.' + field, *attribute ? e.value(attribute).place : e.name_place);
-    m.mark(path + ".lens.aperture_radius", settings.value("dof_c").place);
-    m.mark(path + ".shutter.duration", settings.value("blur_duration").place);
-    m.mark(path + ".shutter.switch_ratio", settings.value("blur_switch_ratio").place);
+    for (const auto& [field, attribute] : places) m.mark(path + '.' + field, e, attribute);
+    m.mark(path + ".lens.aperture_radius", settings, "dof_c");
+    m.mark(path + ".shutter.duration", settings, "blur_duration");
+    m.mark(path + ".shutter.switch_ratio", settings, "blur_switch_ratio");
     m.scene.cameras.push_back(std::move(c));
 }
 
@@ -137,7 +136,7 @@ void map_legacy_settings(LegacyMapping& m) {
                                                           {"fps", "fps"},
                                                           {"max_depth", "recursion"},
                                                           {"filter", "interpolate_samples"}};
-    for (const auto& [field, attribute] : places) m.mark(std::string("render.") + field, e.value(attribute).place);
+    for (const auto& [field, attribute] : places) m.mark(std::string("render.") + field, e, attribute);
     map_sample_count(m, e);
     note_effects_off(m, e);
 }

@@ -41,16 +41,25 @@ private:
     void read_value(LegacyElement&, const LegacyAttribute&, const LegacyToken& name, LegacyValue&);
     std::optional<double> read_number(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name);
     std::optional<Vec3d> read_vector(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name);
+    struct Components {
+        size_t count = 0;
+        bool good = true;
+    };
+    Components read_components(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name,
+                               bool in_braces, std::array<double, 3>&);
     std::optional<std::string_view> read_word(const LegacyElementType&, const LegacyAttribute&, const LegacyToken&);
     bool value_is_missing(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name);
     void check_no_leftovers(const LegacyAttribute&);
     bool ends_body(const LegacyElementType&) const;
+    bool begins_something(const LegacyElementType&) const;
+    LegacyToken skip();
     void skip_block();
     void fill_defaults(LegacyElement&);
     void report_defaults();
 
     LegacyTokens tokens_;
     LegacyReport& report_;
+    size_t skipped_ = 0;  // tokens, over the whole file
     std::vector<LegacyElement> elements_;
     std::map<std::pair<const LegacyElementType*, std::string_view>, LegacyPlace> defined_;
 
@@ -129,7 +138,7 @@ void Parser::unknown_element(const LegacyToken& kind) {
     report_.error(place_of(kind), "unknown element", kind.text, "settings, camera, a material, a body or a light",
                   nearest_word(kind.text, element_names()));
     // Most likely `kind name { ... }`: step over it as a whole. Else go on with the next word that is an element.
-    while (tokens_.peek().kind == Kind::word && !find_legacy_element(tokens_.peek().text)) tokens_.next();
+    while (tokens_.peek().kind == Kind::word && !find_legacy_element(tokens_.peek().text)) skip();
     if (tokens_.peek().kind == Kind::open) {
         tokens_.next();
         skip_block();
@@ -182,11 +191,28 @@ bool Parser::ends_body(const LegacyElementType& type) const {
     return t.kind == Kind::word && find_legacy_element(t.text) && find_legacy_attribute(type, t.text) < 0;
 }
 
+/// The word ahead is an attribute of the element, or another element.
+bool Parser::begins_something(const LegacyElementType& type) const {
+    const std::string_view word = tokens_.peek().text;
+    return find_legacy_attribute(type, word) >= 0 || find_legacy_element(word);
+}
+
+/// The next token, of no use. Recovery from errors gives up on files that are nothing but nonsense.
+LegacyToken Parser::skip() {
+    constexpr size_t patience = 10000;
+    const LegacyToken t = tokens_.next();
+    if (++skipped_ == patience) {
+        report_.error(place_of(t), "too much that cannot be read; nothing is read from here on");
+        tokens_.stop();
+    }
+    return t;
+}
+
 // Iterative: braces nest as deep as the file likes.
 void Parser::skip_block() {
     size_t depth = 1;
     while (depth > 0 && tokens_.peek().kind != Kind::end) {
-        const Kind kind = tokens_.next().kind;
+        const Kind kind = skip().kind;
         depth += kind == Kind::open;
         depth -= kind == Kind::close;
     }
@@ -243,9 +269,7 @@ void Parser::unknown_attribute(const LegacyElementType& type, const LegacyToken&
         tokens_.next();
         return skip_block();
     }
-    while (tokens_.peek().kind == Kind::word && find_legacy_attribute(type, tokens_.peek().text) < 0 &&
-           !find_legacy_element(tokens_.peek().text))
-        tokens_.next();
+    while (tokens_.peek().kind == Kind::word && !begins_something(type)) skip();
 }
 
 void Parser::read_value(LegacyElement& e, const LegacyAttribute& a, const LegacyToken& name, LegacyValue& value) {
@@ -337,44 +361,44 @@ std::optional<Vec3d> Parser::read_vector(const LegacyElementType& type, const Le
         report_.error(place_of(first.kind == Kind::end ? name : first), "missing \"{\" after " + quote(name.text),
                       first.text, legacy_expectation(a));
     std::array<double, 3> v{};
-    size_t count = 0;
-    bool good = open;
-    while (tokens_.peek().kind == Kind::word) {
-        const LegacyToken t = tokens_.peek();
-        const LegacyNumber number = parse_legacy_number(t.text);
-        const bool is_name = find_legacy_attribute(type, t.text) >= 0 || find_legacy_element(t.text);
-        if (!number.error.empty() && (is_name || !open)) break;
-        tokens_.next();
-        const bool fits = number.error.empty() && legacy_in_range(a, number.value);
-        if (!fits && !report_.full())
-            report_.error(place_of(t),
-                          number.error.empty() ? quote(name.text) + " out of range" : std::string(number.error), t.text,
-                          "a number");
-        good = good && fits;
-        if (count < 3) v[count] = number.value;
-        ++count;
-    }
+    const Components found = read_components(type, a, name, open, v);
     if (!open) return {};
     const LegacyToken end = tokens_.peek();
-    if (end.kind == Kind::close) {
+    const bool closed = end.kind == Kind::close;
+    if (closed)
         tokens_.next();
-    } else {
+    else
         report_.error(place_of(end), "missing \"}\" of " + quote(name.text), end.text, legacy_expectation(a));
-        good = false;
-    }
-    if (count != 3) {
-        report_.error(place_of(first), quote(name.text) + " with " + std::to_string(count) + " numbers", {},
+    if (found.count != 3)
+        report_.error(place_of(first), quote(name.text) + " with " + std::to_string(found.count) + " numbers", {},
                       legacy_expectation(a));
-        good = false;
+    if (!closed || found.count != 3 || !found.good) return {};
+    return Vec3d{v[0], v[1], v[2]};
+}
+
+/// The words of a vector. It ends before a word that begins something else: its closing brace has been forgotten.
+Parser::Components Parser::read_components(const LegacyElementType& type, const LegacyAttribute& a,
+                                           const LegacyToken& name, bool in_braces, std::array<double, 3>& v) {
+    Components found;
+    while (tokens_.peek().kind == Kind::word) {
+        const LegacyNumber number = parse_legacy_number(tokens_.peek().text);
+        std::string wrong(number.error);
+        if (!wrong.empty() && (!in_braces || begins_something(type))) break;
+        const LegacyToken t = found.count < 3 ? tokens_.next() : skip();
+        if (wrong.empty() && !legacy_in_range(a, number.value)) wrong = quote(name.text) + " out of range";
+        if (!wrong.empty()) report_.error(place_of(t), wrong, t.text, "a number");
+        found.good = found.good && wrong.empty();
+        if (found.count < 3) v[found.count] = number.value;
+        ++found.count;
     }
-    return good ? std::optional(Vec3d{v[0], v[1], v[2]}) : std::nullopt;
+    return found;
 }
 
 /// `radius 4 5`, `position { 1 2 3 } 4`: a number is never the name of an attribute.
 void Parser::check_no_leftovers(const LegacyAttribute& a) {
     bool told = false;
     while (tokens_.peek().kind == Kind::word && parse_legacy_number(tokens_.peek().text).error.empty()) {
-        const LegacyToken t = tokens_.next();
+        const LegacyToken t = skip();
         if (!told) report_.error(place_of(t), "too many numbers after " + quote(a.name), t.text, legacy_expectation(a));
         told = true;
     }

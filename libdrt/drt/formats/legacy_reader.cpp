@@ -35,6 +35,7 @@ SceneRead read_legacy_bytes(std::string bytes, const std::string& path, const Le
         LegacyMapping m{
             elements, options, report, std::filesystem::path(path).parent_path().string(), LegacyNames(elements),
             {},       {}};
+        m.scene.sources.places.reserve(5 * elements.size() + 64);
         m.mark("", {});
         m.scene.ambient_light = Color(options.ambient_light);
         m.scene.gravity = options.gravity;

@@ -8,8 +8,19 @@ bool is_brace(char c) { return c == '{' || c == '}'; }
 
 }  // namespace
 
+void LegacyTokens::Cursor::step(std::string_view text) {
+    const char c = text[offset++];
+    // A line ends at LF, CR LF or a lone CR (old Macintosh files).
+    if (c == '\n' || (c == '\r' && (offset == text.size() || text[offset] != '\n'))) {
+        ++line;
+        column = 1;
+    } else {
+        column += (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a UTF-8 continuation byte
+    }
+}
+
 LegacyTokens::LegacyTokens(std::string_view text) : text_(text) {
-    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
+    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_.offset = 3;
     ahead_ = scan();
 }
 
@@ -19,34 +30,29 @@ LegacyToken LegacyTokens::next() {
     return token;
 }
 
+void LegacyTokens::stop() {
+    at_.offset = text_.size();
+    ahead_ = {LegacyToken::Kind::end, {}, ahead_.line, ahead_.column};
+}
+
 void LegacyTokens::skip_line(int line) {
     while (ahead_.kind != LegacyToken::Kind::end && ahead_.line == line) ahead_ = scan();
 }
 
-void LegacyTokens::step() {
-    const char c = text_[at_++];
-    // A line ends at LF, CR LF or a lone CR (old Macintosh files).
-    if (c == '\n' || (c == '\r' && (at_ == text_.size() || text_[at_] != '\n'))) {
-        ++line_;
-        column_ = 1;
-    } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {  // not a UTF-8 continuation byte
-        ++column_;
-    }
-}
-
 LegacyToken LegacyTokens::scan() {
-    while (at_ < text_.size() && is_blank(text_[at_])) step();
-    LegacyToken token{LegacyToken::Kind::end, {}, line_, column_};
-    if (at_ == text_.size()) return token;
-    const size_t begin = at_;
-    if (is_brace(text_[at_])) {
-        token.kind = text_[at_] == '{' ? LegacyToken::Kind::open : LegacyToken::Kind::close;
-        step();
-    } else {
+    Cursor c = at_;  // a local copy stays in registers: files may have 64 MB
+    while (c.offset < text_.size() && is_blank(text_[c.offset])) c.step(text_);
+    LegacyToken token{LegacyToken::Kind::end, {}, c.line, c.column};
+    const size_t begin = c.offset;
+    if (begin < text_.size() && is_brace(text_[begin])) {
+        token.kind = text_[begin] == '{' ? LegacyToken::Kind::open : LegacyToken::Kind::close;
+        c.step(text_);
+    } else if (begin < text_.size()) {
         token.kind = LegacyToken::Kind::word;
-        while (at_ < text_.size() && !is_blank(text_[at_]) && !is_brace(text_[at_])) step();
+        while (c.offset < text_.size() && !is_blank(text_[c.offset]) && !is_brace(text_[c.offset])) c.step(text_);
     }
-    token.text = text_.substr(begin, at_ - begin);
+    token.text = text_.substr(begin, c.offset - begin);
+    at_ = c;
     return token;
 }
 

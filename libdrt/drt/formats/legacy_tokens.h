@@ -21,16 +21,21 @@ public:
     explicit LegacyTokens(std::string_view text);
     const LegacyToken& peek() const { return ahead_; }
     LegacyToken next();
+    /// Drops all that is left.
+    void stop();
     /// Drops what is left of the line that `peek()` is on, if it is still on `line`.
     void skip_line(int line);
 
 private:
+    struct Cursor {
+        size_t offset = 0;
+        int line = 1, column = 1;
+        void step(std::string_view text);
+    };
     LegacyToken scan();
-    void step();
 
     std::string_view text_;
-    size_t at_ = 0;
-    int line_ = 1, column_ = 1;
+    Cursor at_;
     LegacyToken ahead_;
 };
 
