@@ -31,30 +31,30 @@ struct LevelOf {
 };
 
 template <class T>
-LevelOf<T> broadcast(const TextureMap::Level& l) {
+[[gnu::always_inline]] inline LevelOf<T> broadcast(const TextureMap::Level& l) {
     using Int = Rebind<T, std::int32_t>;
     return {Int(l.width), Int(l.height), Int(l.offset)};
 }
 
 template <class T>
-T finite_or(const T& v, float otherwise) {
+[[gnu::always_inline]] inline T finite_or(const T& v, float otherwise) {
     return select(isfinite_lanes(v), v, T(otherwise));
 }
 
 /// The fractional part, in [0, 1] (1 only when a tiny negative value rounds up).
 template <class T>
-T repeat(const T& u) {
+[[gnu::always_inline]] inline T repeat(const T& u) {
     using std::floor;
     return u - floor(u);
 }
 
 template <class T>
-T blend(const T& a, const T& b, const T& weight) {
+[[gnu::always_inline]] inline T blend(const T& a, const T& b, const T& weight) {
     return a + weight * (b - a);
 }
 
 template <class T>
-Color3<T> blend(const Color3<T>& a, const Color3<T>& b, const T& weight) {
+[[gnu::always_inline]] inline Color3<T> blend(const Color3<T>& a, const Color3<T>& b, const T& weight) {
     return {blend(a.r, b.r, weight), blend(a.g, b.g, weight), blend(a.b, b.b, weight)};
 }
 
@@ -66,7 +66,7 @@ struct Neighbours {
 };
 
 template <class T>
-Neighbours<T> neighbours(const T& coordinate, const Rebind<T, std::int32_t>& side) {
+[[gnu::always_inline]] inline Neighbours<T> neighbours(const T& coordinate, const Rebind<T, std::int32_t>& side) {
     using std::floor;
     using Int = Rebind<T, std::int32_t>;
     const T x = coordinate * num_cast<T>(side) - T(0.5f);
@@ -76,22 +76,26 @@ Neighbours<T> neighbours(const T& coordinate, const Rebind<T, std::int32_t>& sid
     return {select(i < Int(0), Int(i + side), i), select(next == side, Int(0), next), x - below};
 }
 
+/// One channel of four texels: upper left, upper right, lower left, lower right.
+template <class T, class Int>
+[[gnu::always_inline]] inline T interpolate(const float* channel, const Int (&corners)[4], const T& x, const T& y) {
+    const T above = blend(gather<T>(channel, corners[0]), gather<T>(channel, corners[1]), x);
+    const T below = blend(gather<T>(channel, corners[2]), gather<T>(channel, corners[3]), x);
+    return blend(above, below, y);
+}
+
 /// uv in [0, 1].
 template <class T>
-Color3<T> bilinear(const TextureMap& map, const LevelOf<T>& level, const Vec2<T>& uv) {
+[[gnu::always_inline]] inline Color3<T> bilinear(const TextureMap& map, const LevelOf<T>& level, const Vec2<T>& uv) {
     using Int = Rebind<T, std::int32_t>;
     const Neighbours<T> x = neighbours(uv.x, level.width), y = neighbours(uv.y, level.height);
     const Int size(floats_per_texel);
     const Int upper = level.offset + y.first * level.width * size, lower = level.offset + y.second * level.width * size;
     const Int left = x.first * size, right = x.second * size;
     const Int corners[] = {upper + left, upper + right, lower + left, lower + right};
-    const auto channel = [&](int c) {
-        const float* texels = map.texels.data() + c;
-        const T above = blend(gather<T>(texels, corners[0]), gather<T>(texels, corners[1]), x.weight);
-        const T under = blend(gather<T>(texels, corners[2]), gather<T>(texels, corners[3]), x.weight);
-        return blend(above, under, y.weight);
-    };
-    return {channel(0), channel(1), channel(2)};
+    const float* texels = map.texels.data();
+    return {interpolate(texels, corners, x.weight, y.weight), interpolate(texels + 1, corners, x.weight, y.weight),
+            interpolate(texels + 2, corners, x.weight, y.weight)};
 }
 
 /// What to read for a footprint: samples along an axis, each from two levels.
@@ -105,7 +109,7 @@ struct Plan {
 
 /// The two levels around texels `sqrt(size2)` base texels wide, size2 >= 1.
 template <class T>
-void choose_levels(const TextureMap& map, const T& size2, Plan<T>& plan) {
+[[gnu::always_inline]] inline void choose_levels(const TextureMap& map, const T& size2, Plan<T>& plan) {
     using Int = Rebind<T, std::int32_t>;
     LevelOf<T> fine = broadcast<T>(map.levels[0]);
     LevelOf<T> coarse = broadcast<T>(map.levels[map.levels.size() > 1 ? 1 : 0]);
@@ -128,18 +132,21 @@ void choose_levels(const TextureMap& map, const T& size2, Plan<T>& plan) {
     plan.coarse_weight = min(T((size2 / span2 - T(1.0f)) * T(1.0f / 3.0f)), T(1.0f));  // 1 only beyond the last level
 }
 
+/// A component of the footprint in texels. One that is not a number, or as large as the limit, sees the mean colour;
+/// the limit's fourth power is still finite.
+template <class T>
+[[gnu::always_inline]] inline T to_texels(const T& v, const T& side) {
+    constexpr float limit = 1e8f;
+    return clamp(finite_or(T(v * side), limit), T(-limit), T(limit));
+}
+
 /// d1, d2: the footprint's sides in uv.
 template <class T>
-Plan<T> plan_lookup(const TextureMap& map, const Vec2<T>& d1, const Vec2<T>& d2) {
+[[gnu::always_inline]] inline Plan<T> plan_lookup(const TextureMap& map, const Vec2<T>& d1, const Vec2<T>& d2) {
     using std::ceil, std::sqrt;
-    // In texels; a footprint that is not a number, or as large as that, sees the mean colour (and its square is
-    // finite).
-    constexpr float limit = 1e8f;
     const T width(float(map.levels[0].width)), height(float(map.levels[0].height));
-    const auto texels = [&](const T& v, const T& side) {
-        return clamp(finite_or(T(v * side), limit), T(-limit), T(limit));
-    };
-    const T ax = texels(d1.x, width), ay = texels(d1.y, height), bx = texels(d2.x, width), by = texels(d2.y, height);
+    const T ax = to_texels(d1.x, width), ay = to_texels(d1.y, height), bx = to_texels(d2.x, width),
+            by = to_texels(d2.y, height);
 
     // Eigenvalues of J J^T, J = [d1 d2]: the squared singular values. The smaller one by the determinant, which keeps
     // its digits when the footprint is thin.
