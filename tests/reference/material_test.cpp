@@ -162,7 +162,9 @@ TEST(ReferenceMaterial, ReflectedAndRefractedSharesAddUp) {
 
 /// A 4 x 2 texture file whose texel in column x, row y has the linear red value (1 + x + 4 y) / 255.
 std::string write_texture() {
-    const auto path = std::filesystem::path(::testing::TempDir()) / "reference_texture.ppm";
+    const auto path =
+        std::filesystem::path(::testing::TempDir()) /
+        ("reference_texture_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".ppm");
     std::ofstream file(path, std::ios::binary);
     file << "P6\n4 2\n255\n";
     for (int y = 0; y < 2; ++y)

@@ -13,16 +13,15 @@ struct Surface {
     bool entering;  ///< the ray runs against the geometric normal
 };
 
-Rgb direct_light(const World& world, const Surface& surface, const Ray& ray, const Rgb& diffuse, double time,
-                 Random& random) {
+Rgb direct_light(const Instant& instant, const Surface& surface, const Ray& ray, const Rgb& diffuse, Random& random) {
     const Material& material = surface.body->material;
     Rgb sum;
-    for (const Light& light : world.scene.lights) {
+    for (const Light& light : instant.world.scene.lights) {
         const auto sample = sample_light(light, surface.point, random);
         if (!sample) continue;
         const Vec3d to_light = normalize(sample->point - surface.point);
         const double cosine = dot(surface.normal, to_light);
-        if (cosine <= 0 || occluded(world, surface.point, sample->point, time, &light)) continue;
+        if (cosine <= 0 || occluded(instant, surface.point, sample->point, &light)) continue;
         const Vec3d mirrored = surface.normal * (2 * cosine) - to_light;
         const double highlight = std::pow(std::max(0.0, -dot(mirrored, ray.direction)), material.shininess);
         sum += sample->intensity * (diffuse * cosine + Rgb(material.specular) * highlight);
@@ -44,11 +43,11 @@ Vec3d spread(const Vec3d& direction, double sigma_degrees, const Vec3d& normal, 
 
 Vec3d mirror(const Vec3d& direction, const Vec3d& normal) { return direction - normal * (2 * dot(direction, normal)); }
 
-Rgb reflected(const World& world, const Surface& surface, const Ray& ray, double time, int depth,
-              const MediaStack& media, Random& random) {
+Rgb reflected(const Instant& instant, const Surface& surface, const Ray& ray, int depth, const MediaStack& media,
+              Random& random) {
     const Vec3d direction = spread(mirror(ray.direction, surface.normal),
                                    surface.body->material.reflection_spread_degrees, surface.normal, random);
-    return radiance(world, {surface.point, normalize(direction)}, time, depth + 1, media, random);
+    return radiance(instant, {surface.point, normalize(direction)}, depth + 1, media, random);
 }
 
 /// Past the surface the ray is in `body` if it enters; if it leaves, `body` is taken off the stack wherever it is.
@@ -68,8 +67,8 @@ MediaStack media_beyond(const Surface& surface, MediaStack media) {
 
 double index_of(const MediaStack& media) { return media.empty() ? 1.0 : media.back()->material.refraction_index; }
 
-Rgb refracted(const World& world, const Surface& surface, const Ray& ray, double time, int depth,
-              const MediaStack& media, Random& random) {
+Rgb refracted(const Instant& instant, const Surface& surface, const Ray& ray, int depth, const MediaStack& media,
+              Random& random) {
     const Material& material = surface.body->material;
     const MediaStack beyond = media_beyond(surface, media);
     const double index_before = surface.entering ? index_of(media) : material.refraction_index;
@@ -81,7 +80,7 @@ Rgb refracted(const World& world, const Surface& surface, const Ray& ray, double
                             ? mirror(ray.direction, surface.normal)
                             : ray.direction * eta - surface.normal * (eta * c + std::sqrt(1 - sine_squared));
     const Vec3d direction = spread(sharp, material.refraction_spread_degrees, surface.normal, random);
-    return radiance(world, {surface.point, normalize(direction)}, time, depth + 1, total_reflection ? media : beyond,
+    return radiance(instant, {surface.point, normalize(direction)}, depth + 1, total_reflection ? media : beyond,
                     random);
 }
 
@@ -95,9 +94,9 @@ double sample_deviation(double sigma, Random& random) {
     }
 }
 
-Rgb radiance(const World& world, const Ray& ray, double time, int depth, const MediaStack& media, Random& random) {
-    const auto hit = first_hit(world, ray, time);
-    if (!hit) return Rgb(world.scene.background);
+Rgb radiance(const Instant& instant, const Ray& ray, int depth, const MediaStack& media, Random& random) {
+    const auto hit = first_hit(instant, ray);
+    if (!hit) return Rgb(instant.world.scene.background);
     if (hit->body->light) return emitted(*hit->body->light, ray.direction);
 
     const bool entering = dot(ray.direction, hit->normal) < 0;
@@ -108,13 +107,11 @@ Rgb radiance(const World& world, const Ray& ray, double time, int depth, const M
     const Rgb ambient = textured ? texture : Rgb(material.ambient);
     const Rgb diffuse = textured ? texture : Rgb(material.diffuse);
 
-    Rgb sum = Rgb(world.scene.ambient_light) * ambient;
-    sum += direct_light(world, surface, ray, diffuse, time, random);
-    if (depth >= world.scene.render.max_depth) return sum;
-    if (material.reflectance > 0)
-        sum += reflected(world, surface, ray, time, depth, media, random) * material.reflectance;
-    if (material.refraction > 0)
-        sum += refracted(world, surface, ray, time, depth, media, random) * material.refraction;
+    Rgb sum = Rgb(instant.world.scene.ambient_light) * ambient;
+    sum += direct_light(instant, surface, ray, diffuse, random);
+    if (depth >= instant.world.scene.render.max_depth) return sum;
+    if (material.reflectance > 0) sum += reflected(instant, surface, ray, depth, media, random) * material.reflectance;
+    if (material.refraction > 0) sum += refracted(instant, surface, ray, depth, media, random) * material.refraction;
     return sum;
 }
 

@@ -12,7 +12,7 @@ namespace drt::reference {
 using MediaStack = std::vector<const WorldBody*>;
 
 /// `depth` counts the reflections and refractions behind the ray: 0 for camera rays.
-Rgb radiance(const World&, const Ray&, double time, int depth, const MediaStack&, Random&);
+Rgb radiance(const Instant&, const Ray&, int depth, const MediaStack&, Random&);
 
 /// Angle between a glossy direction and its sharp one: density exp(-theta^2 / 2 sigma^2) cos(theta) on [0, pi/2).
 double sample_deviation(double sigma, Random&);

@@ -27,7 +27,8 @@ Rgb sample_pixel(const Job& job, int x, int y, int width, int height, Random& ra
     const PixelFilter::Sample filter = job.filter.sample(random);
     const Ray ray =
         camera_ray(job.camera, video_time, x + 0.5 + filter.offset.x, y + 0.5 + filter.offset.y, width, height, random);
-    return radiance(job.world, ray, scene_time(job.camera, video_time), 0, {}, random) * filter.weight;
+    const Instant instant(job.world, scene_time(job.camera, video_time));
+    return radiance(instant, ray, 0, {}, random) * filter.weight;
 }
 
 void render_pixel(const Job& job, int x, int y, ReferencePicture& picture) {
@@ -52,6 +53,9 @@ ReferencePicture render_reference(const SceneDesc& scene, int frame, int width, 
     const double opening = frame / scene.render.fps;
     const Job job{world, camera_at(scene, opening), PixelFilter(scene.render.filter), opening, frame, spp, seed};
     ReferencePicture picture(width, height);
+    // Variances of normal values rest on spp - 1 degrees of freedom, those of samples that are mostly dark and now
+    // and then bright on far fewer: 2 n / (kurtosis - 1). A sixteenth allows for a kurtosis of 33.
+    picture.freedom = std::max(1.0, spp / 16.0);
     std::atomic<int> next_row = 0;
     const auto work = [&] {
         for (int y = next_row++; y < height; y = next_row++)

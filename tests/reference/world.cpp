@@ -4,8 +4,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "reference/motion.h"
-
 namespace drt::reference {
 namespace {
 
@@ -51,7 +49,7 @@ std::optional<Shape> body_of(const LightShape& light) {
 /// The surface that a ray leaves must not be hit again by rounding error.
 double skin(const Ray& ray) { return 1e-9 * std::max(1.0, length(ray.origin)); }
 
-std::optional<Hit> hit_body(const WorldBody& body, const Ray& ray, double time) {
+std::optional<Hit> hit_body(const WorldBody& body, const Pose& pose, const Ray& ray) {
     if (!body.motion) {
         const auto hit = intersect(body.shape, ray, skin(ray));
         if (!hit) return std::nullopt;
@@ -59,7 +57,6 @@ std::optional<Hit> hit_body(const WorldBody& body, const Ray& ray, double time) 
         return Hit{&body, hit->distance, point, hit->normal, point, hit->normal};
     }
     // Turn and shift the ray instead of the body.
-    const Pose pose = pose_at(*body.motion, time);
     const Ray described{center_of(body.shape) + rotate_back(pose.orientation, ray.origin - pose.position),
                         rotate_back(pose.orientation, ray.direction)};
     const auto hit = intersect(body.shape, described, skin(ray));
@@ -96,21 +93,26 @@ World::World(const SceneDesc& scene_) : scene(scene_) {
     }
 }
 
-std::optional<Hit> first_hit(const World& world, const Ray& ray, double time) {
+Instant::Instant(const World& world_, double time) : world(world_) {
+    for (const WorldBody& body : world.bodies) poses.push_back(body.motion ? pose_at(*body.motion, time) : Pose{});
+}
+
+std::optional<Hit> first_hit(const Instant& instant, const Ray& ray) {
     std::optional<Hit> nearest;
-    for (const WorldBody& body : world.bodies) {
-        const auto hit = hit_body(body, ray, time);
+    for (size_t i = 0; i < instant.poses.size(); ++i) {
+        const auto hit = hit_body(instant.world.bodies[i], instant.poses[i], ray);
         if (hit && (!nearest || hit->distance < nearest->distance)) nearest = hit;
     }
     return nearest;
 }
 
-bool occluded(const World& world, const Vec3d& from, const Vec3d& to, double time, const Light* light) {
+bool occluded(const Instant& instant, const Vec3d& from, const Vec3d& to, const Light* light) {
     const double distance = length(to - from);
     const Ray ray{from, (to - from) / distance};
-    for (const WorldBody& body : world.bodies) {
+    for (size_t i = 0; i < instant.poses.size(); ++i) {
+        const WorldBody& body = instant.world.bodies[i];
         if (body.light && body.light == light) continue;
-        const auto hit = hit_body(body, ray, time);
+        const auto hit = hit_body(body, instant.poses[i], ray);
         if (hit && hit->distance < distance * (1 - 1e-9)) return true;
     }
     return false;

@@ -7,6 +7,7 @@
 
 #include "drt/image/image.h"
 #include "drt/scene/scene_desc.h"
+#include "reference/motion.h"
 #include "reference/shapes.h"
 #include "support/estimate.h"
 
@@ -26,6 +27,13 @@ struct World {
     std::vector<WorldBody> bodies;
 };
 
+/// The world at a scene time: where its moving bodies are.
+struct Instant {
+    Instant(const World&, double time);
+    const World& world;
+    std::vector<Pose> poses;  ///< of each body; meaningful for those that move
+};
+
 struct Hit {
     const WorldBody* body = nullptr;
     double distance = 0;
@@ -33,11 +41,11 @@ struct Hit {
     Vec3d described_point, described_normal;  ///< the same in the pose that the scene describes
 };
 
-/// The nearest hit at scene time `time`.
-std::optional<Hit> first_hit(const World&, const Ray&, double time);
+/// The nearest hit.
+std::optional<Hit> first_hit(const Instant&, const Ray&);
 
 /// Whether anything but the body of `light` is between `from` and `to`.
-bool occluded(const World&, const Vec3d& from, const Vec3d& to, double time, const Light* light);
+bool occluded(const Instant&, const Vec3d& from, const Vec3d& to, const Light* light);
 
 /// Colour of the body's texture at the hit: bilinear, repeated; texel centres are at half coordinates.
 Rgb texture_color(const Hit&);

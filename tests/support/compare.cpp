@@ -46,11 +46,9 @@ BlockScore score_block(const PictureEstimate& a, const PictureEstimate& b, Block
             const size_t i = a.index(x, y);
             sum_a += channel_of(a.mean[i], block.channel);
             sum_b += channel_of(b.mean[i], block.channel);
-            for (const double v :
-                 {channel_of(a.variance[i], block.channel), channel_of(b.variance[i], block.channel)}) {
-                variance += v;
-                squared_variances += v * v;
-            }
+            const double va = channel_of(a.variance[i], block.channel), vb = channel_of(b.variance[i], block.channel);
+            variance += va + vb;
+            squared_variances += va * va / a.freedom + vb * vb / b.freedom;
         }
     }
     const double pixels = double(block.width) * block.height;
@@ -67,21 +65,20 @@ BlockScore score_block(const PictureEstimate& a, const PictureEstimate& b, Block
     } else if (block.sigma == 0) {
         block.z = excess == 0 ? 0 : std::copysign(infinity, excess);
     } else {
-        // One degree of freedom a pixel is the least a variance can rest on.
         block.z = normal_score(excess / block.sigma, variance * variance / squared_variances);
     }
     return block;
 }
 
-std::vector<BlockScore> score_blocks(const PictureEstimate& a, const PictureEstimate& b, int channel,
+std::vector<BlockScore> score_blocks(const PictureEstimate& a, const PictureEstimate& b, int channel, int side,
                                      const CompareOptions& options) {
     std::vector<BlockScore> blocks;
-    for (int y = 0; y < a.height; y += options.block) {
-        for (int x = 0; x < a.width; x += options.block) {
+    for (int y = 0; y < a.height; y += side) {
+        for (int x = 0; x < a.width; x += side) {
             BlockScore block;
             block.x = x, block.y = y, block.channel = channel;
-            block.width = std::min(options.block, a.width - x);
-            block.height = std::min(options.block, a.height - y);
+            block.width = std::min(side, a.width - x);
+            block.height = std::min(side, a.height - y);
             blocks.push_back(score_block(a, b, block, options));
         }
     }
@@ -95,32 +92,51 @@ std::string describe(const BlockScore& block) {
         block.mean_b, block.mean_a - block.mean_b, block.sigma, block.z);
 }
 
-/// Asks the three questions of one channel and appends what failed to the report.
-void judge_channel(const std::vector<BlockScore>& blocks, const BlockScore& whole, double alpha,
-                   CompareResult& result) {
-    const char name = channel_names[whole.channel];
-    const double n = double(blocks.size());
-    double worst = 0, sum = 0;
-    for (const BlockScore& block : blocks) {
-        worst = std::max(worst, std::abs(block.z));
-        sum += block.z * block.z;
+class Judge {
+public:
+    Judge(CompareResult& result, double alpha) : result_(result), alpha_(alpha) {}
+
+    /// Is one block off, are many slightly off? `blocks` are all of one channel and size.
+    void blocks(const std::vector<BlockScore>& blocks) {
+        const double n = double(blocks.size());
+        double worst = 0, sum = 0;
+        for (const BlockScore& block : blocks) {
+            worst = std::max(worst, std::abs(block.z));
+            sum += block.z * block.z;
+        }
+        const std::string where = fmt::format("{} in blocks of {} pixels: ", channel_names[blocks[0].channel],
+                                              std::max(blocks[0].width, blocks[0].height));
+        const double worst_limit = two_sided_limit(-std::expm1(std::log1p(-alpha_) / n));  // Sidak
+        if (worst > worst_limit) fail(where + fmt::format("worst |z| {:.2f} > {:.2f}", worst, worst_limit));
+        const double score = std::isfinite(sum) ? chi_squared_score(sum, n) : infinity;
+        const double score_limit = two_sided_limit(2 * alpha_);  // one-sided
+        if (score > score_limit)
+            fail(where +
+                 fmt::format("sum of z^2 {:.1f} over {} blocks, score {:.2f} > {:.2f}", sum, n, score, score_limit));
     }
-    const double block_limit = two_sided_limit(-std::expm1(std::log1p(-alpha) / n));  // Sidak
-    const double sum_limit = two_sided_limit(2 * alpha);                              // one-sided
-    const double mean_limit = two_sided_limit(alpha);
-    const double sum_score = std::isfinite(sum) ? chi_squared_score(sum, n) : infinity;
-    const auto judge = [&](bool failed, const std::string& text) {
-        if (!failed) return;
-        result.same = false;
-        result.report += text;
-    };
-    judge(worst > block_limit, fmt::format("{}: worst block |z| = {:.2f} > {:.2f}\n", name, worst, block_limit));
-    judge(sum_score > sum_limit,
-          fmt::format("{}: all blocks: sum of z^2 = {:.1f} over {} blocks, score {:.2f} > {:.2f}\n", name, sum,
-                      blocks.size(), sum_score, sum_limit));
-    judge(std::abs(whole.z) > mean_limit,
-          fmt::format("{}: whole picture |z| = {:.2f} > {:.2f}: means {:.6g} and {:.6g}\n", name, std::abs(whole.z),
-                      mean_limit, whole.mean_a, whole.mean_b));
+
+    /// Is the whole picture off?
+    void whole(const BlockScore& all) {
+        const double limit = two_sided_limit(alpha_);
+        if (std::abs(all.z) > limit)
+            fail(fmt::format("{} of the whole picture: |z| {:.2f} > {:.2f}, means {:.6g} and {:.6g}",
+                             channel_names[all.channel], std::abs(all.z), limit, all.mean_a, all.mean_b));
+    }
+
+private:
+    void fail(const std::string& why) {
+        result_.same = false;
+        result_.report += why + "\n";
+    }
+    CompareResult& result_;
+    double alpha_;  ///< of one question
+};
+
+void append_worst_blocks(CompareResult& result) {
+    std::stable_sort(result.blocks.begin(), result.blocks.end(),
+                     [](const BlockScore& p, const BlockScore& q) { return std::abs(p.z) > std::abs(q.z); });
+    result.report += "worst blocks:\n";
+    for (size_t i = 0; i < std::min<size_t>(6, result.blocks.size()); ++i) result.report += describe(result.blocks[i]);
 }
 
 }  // namespace
@@ -145,20 +161,21 @@ CompareResult compare_pictures(const PictureEstimate& a, const PictureEstimate& 
         return result;
     }
     result.same = true;
+    Judge judge(result, options.alpha / double(channels * (2 * options.blocks.size() + 1)));
     for (int channel = 0; channel < channels; ++channel) {
-        const std::vector<BlockScore> blocks = score_blocks(a, b, channel, options);
         BlockScore whole;
         whole.width = a.width, whole.height = a.height, whole.channel = channel;
-        judge_channel(blocks, score_block(a, b, whole, options), options.alpha / (3 * channels), result);
-        result.blocks.insert(result.blocks.end(), blocks.begin(), blocks.end());
+        judge.whole(score_block(a, b, whole, options));
+        for (const int side : options.blocks) {
+            const std::vector<BlockScore> blocks = score_blocks(a, b, channel, side, options);
+            judge.blocks(blocks);
+            result.blocks.insert(result.blocks.end(), blocks.begin(), blocks.end());
+        }
     }
-    std::sort(result.blocks.begin(), result.blocks.end(),
-              [](const BlockScore& p, const BlockScore& q) { return std::abs(p.z) > std::abs(q.z); });
-    result.report = fmt::format("{} (false alarms: {:g} of equal pictures; blocks of {} pixels)\n",
-                                result.same ? "same" : "different", options.alpha, options.block) +
-                    result.report;
-    result.report += "worst blocks:\n";
-    for (size_t i = 0; i < std::min<size_t>(6, result.blocks.size()); ++i) result.report += describe(result.blocks[i]);
+    result.report =
+        fmt::format("{} (false alarms: {:g} of equal pictures)\n", result.same ? "same" : "different", options.alpha) +
+        result.report;
+    append_worst_blocks(result);
     return result;
 }
 

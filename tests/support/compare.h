@@ -4,7 +4,7 @@
 // Noise averages out over a block and a fault does not, so blocks see faults far below the noise of a pixel. Three
 // questions are asked of each channel: is one block off (its z-score against the Sidak limit for the number of
 // blocks), are many blocks slightly off (sum of z^2 against the chi^2 limit), is the whole picture off (z of the
-// mean). The false alarm rate alpha is shared evenly among them.
+// mean). The false alarm rate alpha is shared evenly among all questions.
 //
 // z-scores allow for variances that are themselves estimates: Student's t with the effective degrees of freedom of
 // the pooled variance (after Welch and Satterthwaite), mapped to a normal score.
@@ -22,7 +22,7 @@ namespace drt {
 PictureEstimate estimate_from_replicates(const Image& a, const Image& b);
 
 struct CompareOptions {
-    int block = 8;                     ///< pixels along a block's side
+    std::vector<int> blocks{8, 4};     ///< pixels along a block's side; small blocks see what cancels in large ones
     double alpha = 1e-4;               ///< probability that equal pictures are called different
     double relative_tolerance = 1e-5;  ///< differences of block means up to this (of the larger) count as rounding
     double absolute_tolerance = 1e-7;  ///< the same, absolute

@@ -14,6 +14,7 @@ using Rgb = Color3<double>;
 struct PictureEstimate {
     int width = 0, height = 0;
     std::vector<Rgb> mean, variance;
+    double freedom = 1;  ///< degrees of freedom that each variance rests on
 
     PictureEstimate() = default;
     PictureEstimate(int w, int h) : width(w), height(h), mean(size_t(w) * size_t(h)), variance(size_t(w) * size_t(h)) {}

@@ -1,0 +1,130 @@
+// Lights of every kind and what they cast shadows of.
+
+#include "pictures/scene_kit.h"
+
+namespace drt {
+namespace {
+
+using Falloff = Light::Falloff;
+using Distribution = SphereLight::Distribution;
+
+SphereLight bulb(const Vec3d& center, double radius, Distribution distribution) {
+    return {center, radius, distribution};
+}
+
+/// Things that cast shadows onto a floor.
+SceneDesc shadow_scene() {
+    SceneDesc scene = simple_scene({0, 3, 6}, {0, 0.6, 0});
+    add(scene, "floor", Plane{}, shiny({0.7f, 0.7f, 0.7f}, 0.05f, 4));
+    add(scene, "ball", sphere({-1.2, 0.8, 0}, 0.7), shiny({0.8f, 0.5f, 0.3f}, 0.4f, 30));
+    add(scene, "pillar", Cylinder{{1.1, 0, -0.2}, {1.1, 1.4, -0.2}, 0.35, true}, shiny({0.3f, 0.5f, 0.8f}));
+    add(scene, "roof", Rectangle{{-0.3, 1.2, 0.6}, {0.5, 1.2, 0.6}, {0.5, 1.3, 1.4}}, shiny({0.4f, 0.8f, 0.4f}));
+    return scene;
+}
+
+/// One picture a kind of light, all physical.
+PictureCase physical(const std::string& name, const LightShape& shape, const Color& color) {
+    PictureCase picture{name, shadow_scene()};
+    picture.scene.lights = {light("light", shape, color)};
+    return picture;
+}
+
+PictureCase legacy(const std::string& name, const LightShape& shape) {
+    PictureCase picture{name, shadow_scene()};
+    picture.scene.lights = {light("light", shape, {0.7f, 0.6f, 0.5f}, Falloff::none)};
+    return picture;
+}
+
+PictureCase two_sided_rectangle() {
+    RectLight panel;  // stands upright between the bodies
+    panel.corner = {-0.3, 0.1, -0.6};
+    panel.edge_x = {0.1, 0, 0.9};
+    panel.edge_y = {0, 1.5, 0};
+    panel.two_sided = true;
+    return physical("two-sided rectangle", panel, Color(3.0f));
+}
+
+/// The light's plane cuts through the floor and through a body: horizon and grazing light.
+PictureCase cut_by_the_horizon() {
+    PictureCase picture{"lights cut by the horizon", shadow_scene()};
+    picture.scene.lights = {light("ball", bulb({2.2, 0.2, 1}, 0.6, Distribution::uniform), {4, 3, 2}),
+                            light("near", bulb({-1.2, 1.75, 0}, 0.2, Distribution::uniform), {2, 3, 4})};
+    return picture;
+}
+
+/// Visible lights are seen, mirrored and refracted, and cast shadows of their own.
+PictureCase visible_lights() {
+    PictureCase picture{"visible lights", shadow_scene()};
+    SceneDesc& scene = picture.scene;
+    scene.render.max_depth = 3;
+    add(scene, "mirror", Rectangle{{-3, 0, -2}, {3, 0, -2}, {3, 3, -2.3}}, mirror(0.6));
+    add(scene, "glass", sphere({0.3, 0.4, 1.6}, 0.4), glass(1.4));
+    RectLight tilted;
+    tilted.corner = {-2.4, 1.9, -0.4};
+    tilted.edge_x = {0.9, 0.3, 0};
+    tilted.edge_y = {0, 0.3, 0.8};
+    RectLight both = tilted;
+    both.corner = {1.9, 1.2, 0.2};
+    both.two_sided = true;
+    scene.lights = {light("lamp", lamp({0.2, 2.2, 0}, 0.9), {3, 2.5f, 2}),
+                    light("ball", bulb({2, 0.4, 1}, 0.3, Distribution::uniform), {2, 3, 4}),
+                    light("radial", bulb({-0.2, 0.4, 0.7}, 0.25, Distribution::radial), {4, 2, 4}),
+                    light("tilted", tilted, {0.5f, 1, 0.5f}),
+                    light("both", both, {1, 0.5f, 0.5f}),
+                    light("point", PointLight{{0.2, 3.5, 1}}, Color(8.0f))};
+    for (Light& l : scene.lights) l.visible = l.name != "point";
+    return picture;
+}
+
+PictureCase inside_a_light() {
+    PictureCase picture{"inside a light", shadow_scene()};
+    Light around = light("around", bulb({0, 0, 0}, 30, Distribution::uniform), {0.3f, 0.4f, 0.5f});
+    around.visible = true;
+    picture.scene.lights = {around, light("lamp", lamp({0, 5, 0}, 2), Color(2.0f))};
+    picture.scene.bodies[0].shape = Disc{{0, 0, 0}, {0, 1, 0}, 3};
+    picture.scene.render.max_depth = 1;
+    picture.scene.materials[1].reflectance = 0.5;
+    return picture;
+}
+
+/// Forty small lights.
+PictureCase many_lights() {
+    PictureCase picture{"many lights", shadow_scene()};
+    picture.reference_spp = 64;
+    for (int i = 0; i < 40; ++i) {
+        const double x = (i % 8) - 3.5, z = double(i / 8) - 2;
+        const Color color{0.04f * float(i % 3), 0.03f, 0.05f * float(i % 2)};
+        if (i % 4 == 0)
+            picture.scene.lights.push_back(light("rect", lamp({x, 3, z}, 0.4), color * 4.0f));
+        else if (i % 4 == 1)
+            picture.scene.lights.push_back(light("point", PointLight{{x, 3, z}}, color * 4.0f));
+        else
+            picture.scene.lights.push_back(
+                light("bulb", bulb({x, 3, z}, 0.2, i % 4 == 2 ? Distribution::radial : Distribution::uniform),
+                      color * (i % 4 == 2 ? 6.0f : 0.4f), i % 4 == 2 ? Falloff::inverse_square : Falloff::none));
+        picture.scene.lights.back().name += std::to_string(i);
+    }
+    return picture;
+}
+
+}  // namespace
+
+std::vector<PictureCase> light_pictures() {
+    return {
+        physical("point light", PointLight{{1, 3, 2}}, {12, 10, 8}),
+        physical("rectangle light", lamp({0.5, 3, 1}, 1.6), {3, 2.5f, 2}),
+        physical("uniform sphere light", bulb({1, 2.6, 2}, 0.7, Distribution::uniform), {6, 5, 4}),
+        physical("radial sphere light", bulb({1, 2.6, 2}, 0.7, Distribution::radial), {6, 5, 4}),
+        two_sided_rectangle(),
+        legacy("legacy point light", PointLight{{1, 3, 2}}),
+        legacy("legacy rectangle light", lamp({0.5, 3, 1}, 1.6)),
+        legacy("legacy uniform sphere light", bulb({1, 2.6, 2}, 0.7, Distribution::uniform)),
+        legacy("legacy radial sphere light", bulb({1, 2.6, 2}, 0.7, Distribution::radial)),
+        cut_by_the_horizon(),
+        visible_lights(),
+        inside_a_light(),
+        many_lights(),
+    };
+}
+
+}  // namespace drt

@@ -1,0 +1,29 @@
+#pragma once
+// Small scenes that together use every feature of the model, alone and combined.
+
+#include <string>
+#include <vector>
+
+#include "drt/scene/scene_desc.h"
+
+namespace drt {
+
+struct PictureCase {
+    std::string name;
+    SceneDesc scene;  ///< of the size to be compared
+    int frame = 0;
+    int reference_spp = 256;
+    int render_spp = 128;
+};
+
+/// Shapes, lights and surfaces. `texture_folder` must exist; textures are written there.
+std::vector<PictureCase> surface_pictures();
+std::vector<PictureCase> light_pictures();
+std::vector<PictureCase> texture_pictures(const std::string& texture_folder);
+/// Lens, shutter, motion, time mapping, filters.
+std::vector<PictureCase> camera_pictures(const std::string& texture_folder);
+
+/// All of them.
+std::vector<PictureCase> all_pictures(const std::string& texture_folder);
+
+}  // namespace drt
