@@ -1,6 +1,7 @@
 #pragma once
 // Bits of 32-bit integers and of floats, for scalars and lanes alike.
 
+#include <array>
 #include <bit>
 
 #include "drt/base/simd.h"
@@ -11,7 +12,14 @@ namespace drt {
 template <class To, class From>
 To bits_as(const From& v) {
     static_assert(width_of<To> == width_of<From> && sizeof(ScalarOf<To>) == sizeof(ScalarOf<From>));
-    return std::bit_cast<To>(v);
+    if constexpr (std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>) {
+        return std::bit_cast<To>(v);
+    } else {  // lanes wider than the machine's are tuples that cannot be cast as a whole
+        std::array<ScalarOf<From>, size_t(width_of<From>)> memory;
+        store(v, memory.data());
+        const auto cast = std::bit_cast<std::array<ScalarOf<To>, size_t(width_of<To>)>>(memory);
+        return load<To>(cast.data());
+    }
 }
 
 /// Bit 0 becomes bit 31 and so on. U holds std::uint32_t.
