@@ -94,12 +94,18 @@ Matrices search() {
     std::vector<State> beam{start};
     for (int m = 2; m <= columns; ++m) {
         std::vector<State> next;
-        const int tries = m <= 6 ? 400 : m <= 9 ? 80 : 24;
+        const int free_bits = (m - 1) * (joint_dims - 1);  // below the diagonal's 1, in all matrices but the first
+        const int sample = m <= 6 ? 400 : m <= 9 ? 80 : 24;
+        const bool all = free_bits < 20 && 1 << free_bits <= sample;
         for (const State& state : beam)
-            for (int t = 0; t < tries; ++t) {
+            for (int t = 0; t < (all ? 1 << free_bits : sample); ++t) {
                 State candidate = state;
-                for (size_t k = 1; k < joint_dims; ++k)
-                    candidate.matrices[k][size_t(m - 1)] = (1u << (m - 1)) | (rng() & ((1u << (m - 1)) - 1u));
+                const std::uint64_t high = all ? 0 : rng(), low = all ? std::uint64_t(t) : rng();
+                const std::uint64_t bits = high << 31 ^ low;
+                for (size_t k = 1; k < joint_dims; ++k) {
+                    const u32 above = u32(bits >> (size_t(m - 1) * (k - 1))) & ((1u << (m - 1)) - 1u);
+                    candidate.matrices[k][size_t(m - 1)] = (1u << (m - 1)) | above;
+                }
                 candidate.cost += cost_of(candidate.matrices, m);
                 next.push_back(candidate);
             }
