@@ -1,44 +1,20 @@
 #pragma once
-// Short names for the small scenes of these tests.
+// Scenes of one pixel in grey, for comparison with closed forms.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "reference/reference.h"
+#include "support/scene_parts.h"
 
 namespace drt {
 
-inline Material matte(const std::string& name, float diffuse) {
-    Material m;
-    m.name = name;
-    m.ambient = Color(0.0f);
-    m.diffuse = Color(diffuse);
-    return m;
-}
-
-/// Shows its ambient colour (grey `value`) whatever the light.
-inline Material glow(const std::string& name, float value = 1) {
-    Material m = matte(name, 0);
-    m.ambient = Color(value);
-    return m;
-}
-
-inline Body body(const Shape& shape, const std::string& material) {
-    Body b;
-    b.name = "body";
-    b.shape = shape;
-    b.material = material;
-    return b;
-}
-
-inline Light light(const LightShape& shape, float color, Light::Falloff falloff = Light::Falloff::inverse_square) {
-    Light l;
-    l.name = "light";
-    l.shape = shape;
-    l.color = Color(color);
-    l.falloff = falloff;
-    return l;
+inline Material matte(const std::string& name, float grey) { return matte(name, Color(grey)); }
+inline Material glow(const std::string& name, float grey = 1) { return glow(name, Color(grey)); }
+inline Body body(const Shape& shape, const std::string& material) { return body("body", shape, material); }
+inline Light light(const LightShape& shape, float grey, Light::Falloff falloff = Light::Falloff::inverse_square) {
+    return light("light", shape, Color(grey), falloff);
 }
 
 /// A pinhole with an instantaneous shutter and the point filter: one ray through each pixel's centre. Bodies glow by
