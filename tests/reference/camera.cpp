@@ -29,28 +29,24 @@ T mix(const T& start, const std::optional<T>& end, double s) {
     return end ? start * (1 - s) + *end * s : start;
 }
 
-/// An implicit focus distance is the one from the first position to the first target.
-double focus_distance(const Camera& camera, double s) {
-    const double implicit = length(camera.targets.front() - camera.positions.front());
-    const double start = camera.lens.focus_start.value_or(implicit > 0 ? implicit : 1.0);
-    return mix(start, camera.lens.focus_end, s);
-}
-
 struct View {
     Vec3d eye, forward, right, up;
+    double target_distance;
 };
 
 View view_at(const Camera& camera, double s, double time) {
     View view;
     Vec3d up = mix(camera.up_start, camera.up_end, s);
-    if (camera.motion) {  // replaces the positions and turns the whole view, its up included
+    const bool keyframed = camera.motion.has_value();
+    view.eye = keyframed ? camera.positions.front() : bezier(camera.positions, s);
+    const Vec3d to_target = (keyframed ? camera.targets.front() : bezier(camera.targets, s)) - view.eye;
+    view.target_distance = length(to_target);
+    view.forward = normalize(to_target);
+    if (keyframed) {  // replaces the eye and turns the whole view, its up included
         const Pose pose = pose_at(*camera.motion, time);
         view.eye = pose.position;
-        view.forward = rotate(pose.orientation, normalize(camera.targets.front() - camera.positions.front()));
+        view.forward = rotate(pose.orientation, view.forward);
         up = rotate(pose.orientation, up);
-    } else {
-        view.eye = bezier(camera.positions, s);
-        view.forward = normalize(bezier(camera.targets, s) - view.eye);
     }
     view.right = normalize(cross(view.forward, up));
     view.up = cross(view.right, view.forward);
@@ -97,7 +93,9 @@ Ray camera_ray(const Camera& camera, double video_time, double x, double y, int 
     if (lens.aperture_radius == 0) return {view.eye, normalize(through)};
     // plane: `through` is at distance 1 along the view direction; sphere: distance along the ray itself.
     const Vec3d unit = lens.focus_surface == Lens::FocusSurface::plane ? through : normalize(through);
-    const Vec3d aim = view.eye + unit * focus_distance(camera, s);
+    // An implicit focus follows the target.
+    const double focus = mix(lens.focus_start.value_or(view.target_distance), lens.focus_end, s);
+    const Vec3d aim = view.eye + unit * focus;
     const Vec2d p = random.disc(lens.distribution == Lens::Distribution::radial);
     const Vec3d origin = view.eye + (view.right * p.x + view.up * p.y) * lens.aperture_radius;
     return {origin, normalize(aim - origin)};

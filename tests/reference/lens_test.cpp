@@ -48,6 +48,10 @@ TEST(ReferenceLens, ImplicitFocusIsTheTarget) {
     EXPECT_EQ(render_pixel(scene, 100).mean, 0);
     scene.bodies = half_plane(3, -0.001, lens_of(0.2, 1)).bodies;
     EXPECT_EQ(render_pixel(scene, 100).mean, 1);
+    scene.cameras[0].targets = {{0, 0, -1}, {0, 0, -5}};  // passes -3 half-way: the focus follows it
+    scene.cameras[0].video_end = 2;
+    EXPECT_EQ(render_pixel(scene, 100, 1, 25).mean, 1);
+    EXPECT_LT(render_pixel(scene, 100, 1, 0).mean, 1);
 }
 
 TEST(ReferenceLens, FocusGoesFromStartToEnd) {

@@ -100,6 +100,7 @@ TEST(ReferenceLight, UniformSphereWithoutFalloffAveragesTheCone) {
 TEST(ReferenceLight, LightsAddUpAndInsideASphereItIsBlack) {
     SceneDesc scene = lit_floor(light(PointLight{{0, 1, 0}}, 1, Falloff::none));
     scene.lights.push_back(light(sphere_at({0, 1, 0}, 2, uniform), 7, Falloff::none));
+    scene.lights.push_back(light(sphere_at({0, 1, 0}, 2, radial), 7, Falloff::none));
     scene.lights.push_back(light(PointLight{{0, 3, 0}}, 2, Falloff::none));
     scene.lights.push_back(light(PointLight{{0, -3, 0}}, 100, Falloff::none));  // below the floor
     EXPECT_ESTIMATE(render_pixel(scene), 3);

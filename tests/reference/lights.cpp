@@ -37,7 +37,7 @@ struct Sampler {
 
     std::optional<LightSample> operator()(const SphereLight& s) const {
         const double distance = length(s.center - from);
-        if (distance == 0) return std::nullopt;
+        if (distance <= s.radius) return std::nullopt;  // black inside: the surface shines outwards
         const Vec3d axis = (s.center - from) / distance;
         Vec3d x, y;
         perpendiculars(axis, x, y);
@@ -45,8 +45,7 @@ struct Sampler {
             const Vec2d p = random.disc(true);
             return sample(s.center + (x * p.x + y * p.y) * s.radius, pi * s.radius * s.radius / (distance * distance));
         }
-        // Uniform over the cone of directions that meet the sphere; black from inside.
-        if (distance <= s.radius) return std::nullopt;
+        // Uniform over the cone of directions that meet the sphere.
         const double sine = s.radius / distance, one_minus_cosine = 1 - std::sqrt(1 - sine * sine);
         const double cosine = 1 - one_minus_cosine * random.uniform(), azimuth = random.between(0, 2 * pi);
         const double sideways = std::sqrt(std::max(0.0, 1 - cosine * cosine));
