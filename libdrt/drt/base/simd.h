@@ -58,6 +58,17 @@ inline constexpr int width_of = LaneTraits<T>::width;
 template <class T>
 inline constexpr bool is_lane = width_of<T> != 1 || !std::is_arithmetic_v<T>;
 
+/// The lane types of rays whose geometry is in Real: R geometry, F colours and times, I ids, U bits.
+template <class Real>
+struct Pack {
+    static constexpr int width = native_width<Real>;
+    using R = Lane<Real, width>;
+    using F = Lane<float, width>;
+    using I = Lane<std::int32_t, width>;
+    using U = Lane<std::uint32_t, width>;
+    using Mask = typename F::mask_type;
+};
+
 // ---- conversions ------------------------------------------------------------------------------------------------
 
 /// Scalar to scalar, scalar to lanes (broadcast), lanes to lanes. Float to int truncates.
@@ -228,6 +239,36 @@ T gather(const S* p, const I& index) {
 #endif
     else
         return T([&](auto i) { return p[index[i]]; });
+}
+
+/// p[index[i]] = v[i] for the lanes of the mask, in lane order. Indices must be distinct.
+template <class T, class I>
+void scatter(const MaskOf<T>& m, const T& v, ScalarOf<T>* p, const I& index) {
+    for (int i = 0; i < width_of<T>; ++i)
+        if (lane_bit(m, i)) p[lane(index, i)] = lane(v, i);
+}
+
+/// Writes the masked lanes next to each other from p on. May write (rubbish) up to p + width - 1.
+template <class T>
+void compress_store(const MaskOf<T>& m, const T& v, ScalarOf<T>* p) {
+#if defined(__AVX512F__)
+    using S = ScalarOf<T>;
+    if constexpr (width_of<T> == 16 && sizeof(S) == 4) {
+        const auto bits = static_cast<__mmask16>(stdx::__data(m));
+        if constexpr (std::is_same_v<S, float>)
+            _mm512_storeu_ps(p, _mm512_maskz_compress_ps(bits, static_cast<__m512>(v)));
+        else
+            _mm512_storeu_si512(p, _mm512_maskz_compress_epi32(bits, static_cast<__m512i>(v)));
+        return;
+    }
+    if constexpr (width_of<T> == 8 && sizeof(S) == 8) {
+        _mm512_storeu_pd(p, _mm512_maskz_compress_pd(static_cast<__mmask8>(stdx::__data(m)), static_cast<__m512d>(v)));
+        return;
+    }
+#endif
+    int n = 0;
+    for (int i = 0; i < width_of<T>; ++i)
+        if (lane_bit(m, i)) p[n++] = lane(v, i);
 }
 
 }  // namespace drt

@@ -1,0 +1,515 @@
+#include "drt/accel/accel.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "drt/base/diagnostic.h"
+
+namespace drt {
+
+namespace {
+
+constexpr int far_body = std::numeric_limits<int>::max();  // "no hit yet" loses every tie
+
+// Two surfaces closer than this (relative to the distance) are one: the tie goes to the lower id.
+template <class Real>
+constexpr Real tie_tolerance = 4 * std::numeric_limits<Real>::epsilon();
+
+// Hits on bodies other than the start's must lie this far (relative to the origin's coordinates) from the origin, so
+// that a surface coincident with the start's does not shadow it by rounding.
+template <class Real>
+constexpr Real coincidence_tolerance = 8 * std::numeric_limits<Real>::epsilon();
+
+// Coordinates above this make Debian's Embree 3.13.5 abort.
+constexpr double embree_limit = 1e18;
+
+template <class Real>
+struct Group {
+    const BodyTable<Real>* table = nullptr;
+    BodyGroup group;
+};
+
+// What a callback finds behind Embree's context pointer: the true rays, in Real, and where hits go. Embree's own
+// float copy of the rays only steers the traversal.
+template <class Real>
+struct Query {
+    RTCIntersectContext embree;
+    const RayPacket<Real>* rays = nullptr;
+    HitPacket<Real>* hits = nullptr;
+    typename Pack<Real>::R tmin;
+    typename Pack<Real>::I exclude;
+};
+
+// One lane, or all lanes, of a packet.
+template <class T>
+struct Rays {
+    Vec3<T> o, d;
+    T tmin, tmax;
+    Rebind<T, float> time;
+    Rebind<T, int> start;
+};
+
+template <ShapeKind kind, bool moving, class T, class Real = ScalarOf<T>>
+ShapeHit<T> hit_body(const BodyTable<Real>& table, const BodyGroup& g, int body, const Rays<T>& r) {
+    using I = Rebind<T, int>;
+    const auto& shape = shapes_of<kind>(table)[size_t(g.first_shape + body - g.first)];
+    const auto on = r.start >= I(0) && start::body(r.start) == I(body);
+    const Relation<T> rel{mask_cast<T>(on), mask_cast<T>(start::outward(r.start)), start::part(r.start)};
+    if constexpr (!moving) {
+        return intersect(shape, r.o - Vec3<T>(table.centers[size_t(body)]), r.d, rel, r.tmin, r.tmax);
+    } else {
+        const T u = num_cast<T>(r.time);
+        const auto path = table.path(body);
+        if constexpr (kind == ShapeKind::sphere) {
+            return intersect(shape, r.o - center_at(path, u), r.d, rel, r.tmin, r.tmax);
+        } else {
+            const Pose<T> pose = pose_at(path, u);
+            const Quat<T>& q = pose.orientation;
+            ShapeHit<T> h =
+                intersect(shape, rotate_back(q, r.o - pose.center), rotate_back(q, r.d), rel, r.tmin, r.tmax);
+            h.ng = rotate(q, h.ng);
+            return h;
+        }
+    }
+}
+
+template <class T>
+MaskOf<T> is_closer(const T& t, int body, const T& best_t, const Rebind<T, int>& best_body) {
+    using Real = ScalarOf<T>;
+    const auto wins_tie = mask_cast<T>(Rebind<T, int>(body) < best_body);
+    return t < best_t * T(1 - tie_tolerance<Real>) || (wins_tie && t < best_t * T(1 + tie_tolerance<Real>));
+}
+
+// Embree culls by its float tfar: a little beyond the true distance, so that ties still reach the callback.
+template <class T>
+Rebind<T, float> culling_distance(const T& t) {
+    constexpr float slack = 1 + 8 * std::numeric_limits<float>::epsilon();
+    return num_cast<Rebind<T, float>>(t) * Rebind<T, float>(slack);
+}
+
+template <class Real>
+Rays<typename Pack<Real>::R> all_lanes(const Query<Real>& q) {
+    const RayPacket<Real>& r = *q.rays;
+    return {r.o, r.d, q.tmin, r.tmax, r.time, r.start};
+}
+
+template <class Real>
+Rays<Real> one_lane(const Query<Real>& q, int i) {
+    const RayPacket<Real>& r = *q.rays;
+    return {{lane(r.o.x, i), lane(r.o.y, i), lane(r.o.z, i)},
+            {lane(r.d.x, i), lane(r.d.y, i), lane(r.d.z, i)},
+            lane(q.tmin, i),
+            lane(r.tmax, i),
+            lane(r.time, i),
+            lane(r.start, i)};
+}
+
+template <class Real>
+typename Pack<Real>::Mask valid_lanes(const int* valid) {
+    using I = typename Pack<Real>::I;
+    return mask_cast<typename Pack<Real>::F>(load<I>(valid) != I(0));
+}
+
+// ---- nearest hit -------------------------------------------------------------------------------------------------
+
+template <ShapeKind kind, bool moving, class Real>
+typename Pack<Real>::Mask nearest_in_lanes(const Group<Real>& g, int body, const Query<Real>& q,
+                                           const typename Pack<Real>::Mask& valid) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    using I = typename Pack<Real>::I;
+    HitPacket<Real>& h = *q.hits;
+    const ShapeHit<R> s = hit_body<kind, moving>(*g.table, g.group, body, all_lanes(q));
+    const auto take = s.valid && mask_cast<R>(valid) && is_closer(s.t, body, h.t, h.body);
+    const auto take_i = mask_cast<I>(take);
+    h.t = select(take, s.t, h.t);
+    h.ng = select(take, s.ng, h.ng);
+    h.body = select(take_i, I(body), h.body);
+    h.part = select(take_i, s.part, h.part);
+    return mask_cast<F>(take);
+}
+
+template <ShapeKind kind, bool moving, class Real>
+bool nearest_in_lane(const Group<Real>& g, int body, const Query<Real>& q, int i) {
+    HitPacket<Real>& h = *q.hits;
+    const ShapeHit<Real> s = hit_body<kind, moving>(*g.table, g.group, body, one_lane(q, i));
+    if (!s.valid || !is_closer(s.t, body, lane(h.t, i), lane(h.body, i))) return false;
+    h.t[i] = s.t;
+    h.ng.x[i] = s.ng.x;
+    h.ng.y[i] = s.ng.y;
+    h.ng.z[i] = s.ng.z;
+    h.body[i] = body;
+    h.part[i] = s.part;
+    return true;
+}
+
+template <ShapeKind kind, bool moving, class Real>
+void intersect_callback(const RTCIntersectFunctionNArguments* args) {
+    using P = Pack<Real>;
+    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
+    auto& q = *reinterpret_cast<Query<Real>*>(args->context);
+    const int body = g.group.first + int(args->primID);
+    RTCRayN* ray = RTCRayHitN_RayN(args->rayhit, args->N);
+    RTCHitN* hit = RTCRayHitN_HitN(args->rayhit, args->N);
+    if (args->N == unsigned(P::width)) {
+        const auto took = nearest_in_lanes<kind, moving>(g, body, q, valid_lanes<Real>(args->valid));
+        if (!any(took)) return;
+        using F = typename P::F;
+        using U = typename P::U;
+        float* tfar = &RTCRayN_tfar(ray, args->N, 0);
+        store(select(took, culling_distance(q.hits->t), load<F>(tfar)), tfar);
+        unsigned* geom = &RTCHitN_geomID(hit, args->N, 0);
+        store(select(mask_cast<U>(took), U(args->geomID), load<U>(geom)), geom);
+        return;
+    }
+    // Embree fell back to single rays: find each one's lane by its id.
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (!args->valid[i]) continue;
+        const int l = int(RTCRayN_id(ray, args->N, i));
+        if (!nearest_in_lane<kind, moving>(g, body, q, l)) continue;
+        RTCRayN_tfar(ray, args->N, i) = culling_distance(lane(q.hits->t, l));
+        RTCHitN_geomID(hit, args->N, i) = args->geomID;
+    }
+}
+
+// ---- visibility --------------------------------------------------------------------------------------------------
+
+template <ShapeKind kind, bool moving, class Real>
+typename Pack<Real>::Mask blocked_lanes(const Group<Real>& g, int body, const Query<Real>& q) {
+    using I = typename Pack<Real>::I;
+    using F = typename Pack<Real>::F;
+    const auto s = hit_body<kind, moving>(*g.table, g.group, body, all_lanes(q));
+    return mask_cast<F>(s.valid) && mask_cast<F>(q.exclude != I(body));
+}
+
+template <ShapeKind kind, bool moving, class Real>
+void occluded_callback(const RTCOccludedFunctionNArguments* args) {
+    using P = Pack<Real>;
+    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
+    auto& q = *reinterpret_cast<Query<Real>*>(args->context);
+    const int body = g.group.first + int(args->primID);
+    constexpr float blocked = -std::numeric_limits<float>::infinity();
+    if (args->N == unsigned(P::width)) {
+        using F = typename P::F;
+        const auto hits = blocked_lanes<kind, moving>(g, body, q) && valid_lanes<Real>(args->valid);
+        if (!any(hits)) return;
+        float* tfar = &RTCRayN_tfar(args->ray, args->N, 0);
+        store(select(hits, F(blocked), load<F>(tfar)), tfar);
+        return;
+    }
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (!args->valid[i]) continue;
+        const int l = int(RTCRayN_id(args->ray, args->N, i));
+        if (lane(q.exclude, l) == body) continue;
+        if (hit_body<kind, moving>(*g.table, g.group, body, one_lane(q, l)).valid)
+            RTCRayN_tfar(args->ray, args->N, i) = blocked;
+    }
+}
+
+// ---- infinite planes ---------------------------------------------------------------------------------------------
+
+template <class Real>
+BodyGroup single_plane_group(const BodyTable<Real>& table) {
+    BodyGroup g = table.plane_group;
+    g.first_shape = 0;
+    return g;
+}
+
+template <class Real>
+bool plane_moves(const BodyTable<Real>& table, int body) {
+    return !table.path(body).empty();
+}
+
+template <class Real>
+void intersect_planes(const Group<Real>& planes, const Query<Real>& q, const typename Pack<Real>::Mask& valid) {
+    for (int i = 0; i < planes.group.count; ++i) {
+        const int body = planes.group.first + i;
+        if (plane_moves(*planes.table, body))
+            nearest_in_lanes<ShapeKind::plane, true>(planes, body, q, valid);
+        else
+            nearest_in_lanes<ShapeKind::plane, false>(planes, body, q, valid);
+    }
+}
+
+template <class Real>
+typename Pack<Real>::Mask occluded_by_planes(const Group<Real>& planes, const Query<Real>& q) {
+    typename Pack<Real>::Mask blocked(false);
+    for (int i = 0; i < planes.group.count; ++i) {
+        const int body = planes.group.first + i;
+        blocked =
+            blocked || (plane_moves(*planes.table, body) ? blocked_lanes<ShapeKind::plane, true>(planes, body, q)
+                                                         : blocked_lanes<ShapeKind::plane, false>(planes, body, q));
+    }
+    return blocked;
+}
+
+// ---- Embree's side -----------------------------------------------------------------------------------------------
+
+template <int width>
+struct EmbreePacket;
+template <>
+struct EmbreePacket<4> {
+    using RayHit = RTCRayHit4;
+    using Ray = RTCRay4;
+    static constexpr auto intersect = rtcIntersect4;
+    static constexpr auto occluded = rtcOccluded4;
+};
+template <>
+struct EmbreePacket<8> {
+    using RayHit = RTCRayHit8;
+    using Ray = RTCRay8;
+    static constexpr auto intersect = rtcIntersect8;
+    static constexpr auto occluded = rtcOccluded8;
+};
+template <>
+struct EmbreePacket<16> {
+    using RayHit = RTCRayHit16;
+    using Ray = RTCRay16;
+    static constexpr auto intersect = rtcIntersect16;
+    static constexpr auto occluded = rtcOccluded16;
+};
+
+template <class Real, class EmbreeRay>
+void fill_ray(EmbreeRay& e, const RayPacket<Real>& r, const typename Pack<Real>::R& tmax) {
+    using F = typename Pack<Real>::F;
+    using U = typename Pack<Real>::U;
+    store(num_cast<F>(r.o.x), e.org_x);
+    store(num_cast<F>(r.o.y), e.org_y);
+    store(num_cast<F>(r.o.z), e.org_z);
+    store(num_cast<F>(r.d.x), e.dir_x);
+    store(num_cast<F>(r.d.y), e.dir_y);
+    store(num_cast<F>(r.d.z), e.dir_z);
+    store(F(0), e.tnear);
+    store(culling_distance(tmax), e.tfar);
+    store(r.time, e.time);
+    store(U(~0u), e.mask);
+    store(iota<U>(), e.id);
+    store(U(0), e.flags);
+}
+
+// Embree aborts the process on rays like these; a NaN fails every comparison.
+template <class Real>
+typename Pack<Real>::Mask traceable(const RayPacket<Real>& r) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    using std::abs;
+    const R largest = max(abs(r.o.x), max(abs(r.o.y), abs(r.o.z)));
+    const R d2 = dot(r.d, r.d);
+    const auto origin_ok =
+        abs(r.o.x) <= R(Real(embree_limit)) && abs(r.o.y) <= R(Real(embree_limit)) && largest <= R(Real(embree_limit));
+    return mask_cast<F>(origin_ok && d2 > R(Real(0.99)) && d2 < R(Real(1.01)) && r.tmax >= R(0)) && r.time >= F(0) &&
+           r.time <= F(1);
+}
+
+template <class Real>
+typename Pack<Real>::R coincidence_distance(const RayPacket<Real>& r) {
+    using R = typename Pack<Real>::R;
+    using std::abs;
+    return max(abs(r.o.x), max(abs(r.o.y), abs(r.o.z))) * R(coincidence_tolerance<Real>);
+}
+
+template <class Real>
+typename Pack<Real>::Mask reject_bad(const RayPacket<Real>& r, TraceCounters& counters) {
+    const auto ok = traceable(r);
+    if (const auto bad = r.active && !ok; any(bad)) counters.rejected += std::uint64_t(count(bad));
+    return r.active && ok;
+}
+
+void throw_embree_error(RTCError code, const std::string& text) {
+    throw Error(code == RTC_ERROR_OUT_OF_MEMORY ? ErrorKind::memory : ErrorKind::internal,
+                fmt::format("Embree: {} (code {})", text, int(code)));
+}
+
+}  // namespace
+
+template <class Real>
+struct Accel<Real>::Impl {
+    const BodyTable<Real>* table;
+    std::vector<std::unique_ptr<Group<Real>>> groups;  // stable addresses: Embree keeps pointers
+    Group<Real> planes;
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::atomic<std::ptrdiff_t> bytes{0};
+    bool empty = true;
+
+    explicit Impl(const BodyTable<Real>& t) : table(&t), planes{&t, t.plane_group} {}
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl() {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+
+    void check() const {
+        const RTCError code = rtcGetDeviceError(device);
+        if (code != RTC_ERROR_NONE) throw_embree_error(code, "cannot build the acceleration structure");
+    }
+
+    template <ShapeKind kind, bool moving>
+    static void set_callbacks(RTCGeometry geometry) {
+        rtcSetGeometryIntersectFunction(geometry, intersect_callback<kind, moving, Real>);
+        rtcSetGeometryOccludedFunction(geometry, occluded_callback<kind, moving, Real>);
+    }
+
+    template <ShapeKind kind>
+    static void set_callbacks(RTCGeometry geometry, bool moving) {
+        moving ? set_callbacks<kind, true>(geometry) : set_callbacks<kind, false>(geometry);
+    }
+
+    void add_group(const BodyGroup& group);
+    void build();
+};
+
+namespace {
+
+// Bounds rounded outward to float, with a margin for the rounding of the intersection itself.
+float round_down(double v) { return std::nextafter(float(v), -std::numeric_limits<float>::infinity()); }
+float round_up(double v) { return std::nextafter(float(v), std::numeric_limits<float>::infinity()); }
+
+RTCBounds to_embree(const Bounds& b) {
+    const double margin = 1e-6 * (length(b.upper - b.lower) + 0.25 * (length(b.lower) + length(b.upper)));
+    RTCBounds out{};
+    out.lower_x = round_down(b.lower.x - margin);
+    out.lower_y = round_down(b.lower.y - margin);
+    out.lower_z = round_down(b.lower.z - margin);
+    out.upper_x = round_up(b.upper.x + margin);
+    out.upper_y = round_up(b.upper.y + margin);
+    out.upper_z = round_up(b.upper.z + margin);
+    return out;
+}
+
+template <class Real>
+void bounds_callback(const RTCBoundsFunctionArguments* args) {
+    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
+    const auto all = body_bounds(*g.table, g.group, g.group.first + int(args->primID));
+    *args->bounds_o = to_embree(all[std::min(size_t(args->timeStep), all.size() - 1)]);
+}
+
+}  // namespace
+
+template <class Real>
+void Accel<Real>::Impl::add_group(const BodyGroup& group) {
+    groups.push_back(std::make_unique<Group<Real>>(Group<Real>{table, group}));
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, unsigned(group.count));
+    rtcSetGeometryUserData(geometry, groups.back().get());
+    rtcSetGeometryTimeStepCount(geometry, unsigned(group.time_steps));
+    rtcSetGeometryBoundsFunction(geometry, bounds_callback<Real>, nullptr);
+    switch (group.kind) {
+        case ShapeKind::sphere:
+            set_callbacks<ShapeKind::sphere>(geometry, group.moving);
+            break;
+        case ShapeKind::flat:
+            set_callbacks<ShapeKind::flat>(geometry, group.moving);
+            break;
+        case ShapeKind::box:
+            set_callbacks<ShapeKind::box>(geometry, group.moving);
+            break;
+        case ShapeKind::cylinder:
+            set_callbacks<ShapeKind::cylinder>(geometry, group.moving);
+            break;
+        case ShapeKind::plane:
+            break;
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    check();
+}
+
+template <class Real>
+void Accel<Real>::Impl::build() {
+    if (table->groups.empty()) return;
+    device = rtcNewDevice(nullptr);
+    if (!device) throw_embree_error(rtcGetDeviceError(nullptr), "cannot create a device");
+    rtcSetDeviceMemoryMonitorFunction(
+        device,
+        [](void* user, ssize_t change, bool) {
+            static_cast<std::atomic<std::ptrdiff_t>*>(user)->fetch_add(change);
+            return true;
+        },
+        &bytes);
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // others leak between primitives (docs/geometry.md)
+    for (const BodyGroup& g : table->groups) add_group(g);
+    rtcCommitScene(scene);
+    check();
+    empty = false;
+}
+
+template <class Real>
+Accel<Real>::Accel(const BodyTable<Real>& table) : impl_(std::make_unique<Impl>(table)) {
+    impl_->build();
+}
+template <class Real>
+Accel<Real>::~Accel() = default;
+template <class Real>
+Accel<Real>::Accel(Accel&&) noexcept = default;
+template <class Real>
+Accel<Real>& Accel<Real>::operator=(Accel&&) noexcept = default;
+
+template <class Real>
+void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, TraceCounters& counters) const {
+    using P = Pack<Real>;
+    using I = typename P::I;
+    using Embree = EmbreePacket<P::width>;
+    const auto active = reject_bad(rays, counters);
+    hits.t = rays.tmax;
+    hits.body = I(far_body);
+    Query<Real> q;
+    rtcInitIntersectContext(&q.embree);
+    q.rays = &rays;
+    q.hits = &hits;
+    q.tmin = coincidence_distance(rays);
+    intersect_planes(impl_->planes, q, active);
+    if (!impl_->empty && any(active)) {
+        alignas(64) typename Embree::RayHit e;
+        alignas(64) int valid[P::width];
+        fill_ray(e.ray, rays, hits.t);
+        store(typename P::U(RTC_INVALID_GEOMETRY_ID), e.hit.geomID);
+        store(select(mask_cast<I>(active), I(-1), I(0)), valid);
+        Embree::intersect(valid, impl_->scene, &q.embree, &e);
+    }
+    hits.body = select(hits.body == I(far_body), I(no_body), hits.body);
+}
+
+template <class Real>
+typename Pack<Real>::Mask Accel<Real>::occluded(const RayPacket<Real>& rays, const typename Pack<Real>::I& exclude,
+                                                TraceCounters& counters) const {
+    using P = Pack<Real>;
+    using F = typename P::F;
+    using I = typename P::I;
+    using Embree = EmbreePacket<P::width>;
+    auto active = reject_bad(rays, counters);
+    Query<Real> q;
+    rtcInitIntersectContext(&q.embree);
+    q.rays = &rays;
+    q.tmin = coincidence_distance(rays);
+    q.exclude = exclude;
+    auto blocked = active && occluded_by_planes(impl_->planes, q);
+    active = active && !blocked;
+    if (!impl_->empty && any(active)) {
+        alignas(64) typename Embree::Ray e;
+        alignas(64) int valid[P::width];
+        fill_ray(e, rays, rays.tmax);
+        store(select(mask_cast<I>(active), I(-1), I(0)), valid);
+        Embree::occluded(valid, impl_->scene, &q.embree, &e);
+        blocked = blocked || (active && load<F>(e.tfar) < F(0));
+    }
+    return blocked;
+}
+
+template <class Real>
+std::size_t Accel<Real>::memory() const {
+    return std::size_t(std::max<std::ptrdiff_t>(0, impl_->bytes.load()));
+}
+
+template class Accel<float>;
+template class Accel<double>;
+
+}  // namespace drt

@@ -1,0 +1,66 @@
+#pragma once
+// The film: per-pixel sums that are the same bits whatever the order of threads, tiles, passes and machines.
+//
+// Every sample lands in exactly one pixel (filter importance sampling), is rounded once to 64-bit fixed point
+// (value * 2^24) and added: integer addition commutes. Samples alternate between two replicates A and B with
+// independent scrambles; over a picture's many pixels, RMS(A - B) / 2 is a sharp estimate of the picture's error
+// (the variance of samples inside one low-discrepancy set is not).
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "drt/image/image.h"
+
+namespace drt {
+
+inline constexpr int replicate_count = 2;
+inline constexpr double fixed_point_scale = 16777216.0;  ///< 2^24
+inline constexpr float sample_limit = 65536.0f;          ///< 2^16: larger samples are clamped and counted
+
+constexpr int replicate_of(std::uint32_t sample) { return int(sample % replicate_count); }
+constexpr std::uint32_t index_in_replicate(std::uint32_t sample) { return sample / replicate_count; }
+
+struct PixelSum {
+    std::array<std::int64_t, 4> rgba{};
+    std::uint32_t samples = 0;
+};
+
+struct FilmCounters {
+    std::uint64_t nonfinite = 0;  ///< samples dropped
+    std::uint64_t clamped = 0;    ///< samples cut at sample_limit
+    int first_nonfinite_x = -1, first_nonfinite_y = -1;
+    std::uint32_t first_nonfinite_sample = 0;
+};
+
+struct Film {
+    int width = 0, height = 0;
+    std::array<std::vector<PixelSum>, replicate_count> sums;  ///< row-major, rows from the top
+
+    Film() = default;
+    Film(int w, int h);
+    std::size_t memory() const { return sums.size() * sums[0].size() * sizeof(PixelSum); }
+};
+
+/// Adds one camera sample. Different threads may add to different pixels.
+void add_sample(Film&, std::uint32_t sample, int x, int y, const std::array<float, 4>& rgba, FilmCounters&);
+
+void merge(FilmCounters& into, const FilmCounters& from);
+
+/// The picture so far: RGBA means over all samples; pixels without samples are 0.
+Image resolve(const Film&);
+/// The picture of one replicate.
+Image resolve(const Film&, int replicate);
+
+struct ErrorEstimate {
+    double rmse = 0;      ///< root mean square error of the picture's RGB values
+    double relative = 0;  ///< rmse / root mean square of the picture's RGB values
+    bool valid = false;   ///< false until every pixel has a sample in both replicates
+};
+
+/// The picture's error from the two replicates. Sharp (a few percent) over 1e4 and more pixels; it knows nothing of
+/// rare light that no sample has met.
+ErrorEstimate estimate_error(const Film&);
+
+}  // namespace drt

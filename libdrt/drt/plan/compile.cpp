@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drt/plan/explain.h"
+#include "drt/plan/plan.h"
+#include "drt/plan/prepare.h"
+#include "drt/plan/tables.h"
+
+namespace drt {
+
+namespace {
+
+template <class Real>
+Mapping<Real> cast(const Mapping<double>& m) {
+    return {m.kind, Vec3<Real>(m.ax), Vec3<Real>(m.ay), Vec3<Real>(m.az), Vec3<Real>(m.origin)};
+}
+
+// Lists in the order of the body table, whose bodies are sorted.
+std::vector<int> in_order(const std::vector<int>& values, const std::vector<int>& order) {
+    std::vector<int> out(order.size());
+    std::transform(order.begin(), order.end(), out.begin(), [&](int source) { return values[size_t(source)]; });
+    return out;
+}
+
+template <class Real>
+std::unique_ptr<World<Real>> build_world(const SceneDesc& scene, PreparedScene&& p, const PlanOptions& options,
+                                         const Features& features, SceneTables&& tables) {
+    auto w = std::make_unique<World<Real>>();
+    w->origin = p.origin;
+    BuiltTable<Real> built = build_body_table<Real>(p.bodies);
+    p.bodies = {};  // the prepared bodies are large; a million of them need not live through the BVH build
+    w->bodies = std::move(built.table);
+    w->body_material = in_order(p.body_material, built.order);
+    if (features.visible_lights) w->body_emitter = in_order(p.body_emitter, built.order);
+    if (features.textures) {
+        w->body_mapping = in_order(p.body_mapping, built.order);
+        for (const Mapping<double>& m : p.mappings) w->mappings.push_back(cast<Real>(m));
+    }
+    std::vector<int> new_id(built.order.size());
+    for (size_t id = 0; id < built.order.size(); ++id) new_id[size_t(built.order[id])] = int(id);
+    w->lights = cast<Real>(p.lights);
+    const auto renumber = [&](auto& list) {
+        for (auto& l : list.lights)
+            if (l.body >= 0) l.body = new_id[size_t(l.body)];
+    };
+    renumber(w->lights.points);
+    renumber(w->lights.rects);
+    renumber(w->lights.spheres);
+    w->emitters = std::move(p.emitters);
+    w->materials = std::move(tables.materials);
+    w->textures = std::move(tables.textures);
+    w->camera = cast<Real>(p.camera);
+    w->view = cast<Real>(view_at(p.camera, 0.0));
+    w->filter = tables.filter;
+    w->background = scene.background;
+    w->sampling = plan_samples(scene, options, features, *w);
+    w->accel = std::make_unique<Accel<Real>>(w->bodies);
+    return w;
+}
+
+bool use_double(const PlanOptions& options, const std::string& reason) {
+    switch (options.precision) {
+        case PlanOptions::Precision::single:
+            return false;
+        case PlanOptions::Precision::double_:
+            return true;
+        case PlanOptions::Precision::automatic:
+            break;
+    }
+    return !reason.empty();
+}
+
+}  // namespace
+
+RenderPlan compile(const SceneDesc& scene, const PlanOptions& options) {
+    RenderPlan plan;
+    plan.width = scene.render.width;
+    plan.height = scene.render.height;
+    PreparedScene prepared = prepare(scene, options);
+    plan.exposure = prepared.exposure;
+    const std::string reason = needs_double(prepared);
+    plan.features = find_features(scene, prepared);
+    plan.features.double_precision = use_double(options, reason);
+    if (options.general) plan.features = keep_everything(plan.features);
+    plan.explanation = explain(scene, prepared, plan.features, reason);
+    SceneTables tables = build_tables(scene, options, plan.features, plan.notes);
+    if (plan.features.double_precision)
+        plan.world = build_world<double>(scene, std::move(prepared), options, plan.features, std::move(tables));
+    else
+        plan.world = build_world<float>(scene, std::move(prepared), options, plan.features, std::move(tables));
+    plan.memory = std::visit([](const auto& w) { return world_memory(*w); }, plan.world);
+    return plan;
+}
+
+}  // namespace drt

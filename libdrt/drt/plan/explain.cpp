@@ -1,0 +1,89 @@
+#include "drt/plan/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace drt {
+
+namespace {
+
+// Materials that some body wears: the others cannot matter.
+std::vector<const Material*> used_materials(const SceneDesc& scene, const PreparedScene& p) {
+    const std::set<int> used(p.body_material.begin(), p.body_material.end());
+    std::vector<const Material*> out;
+    for (const int m : used)
+        if (m >= 0) out.push_back(&scene.materials[size_t(m)]);
+    return out;
+}
+
+int count_moving(const PreparedScene& p) {
+    return int(std::count_if(p.bodies.begin(), p.bodies.end(), [](const BodyInput& b) { return !b.path.empty(); }));
+}
+
+}  // namespace
+
+Features find_features(const SceneDesc& scene, const PreparedScene& p) {
+    const auto materials = used_materials(scene, p);
+    const auto any = [&](auto predicate) { return std::any_of(materials.begin(), materials.end(), predicate); };
+    Features f;
+    f.pixel_filter = scene.render.filter.kind != Filter::Kind::point;
+    f.lens = p.camera.lens.radius > 0;
+    f.moving_camera = p.camera.moving;
+    f.time = f.moving_camera || count_moving(p) > 0;
+    f.planes = std::any_of(p.bodies.begin(), p.bodies.end(),
+                           [](const BodyInput& b) { return std::holds_alternative<PlaneShape<double>>(b.shape); });
+    f.textures = std::any_of(p.body_mapping.begin(), p.body_mapping.end(), [](int m) { return m >= 0; });
+    f.visible_lights = !p.emitters.empty();
+    f.lights = p.lights.count() > 0;
+    f.light_samples = !p.lights.rects.lights.empty() || !p.lights.spheres.lights.empty();
+    f.specular = f.lights && any([](const Material* m) { return !is_black(m->specular); });
+    const bool deep = scene.render.max_depth > 0;
+    f.refraction = deep && any([](const Material* m) { return m->refraction > 0; });
+    f.scatter = f.refraction || (deep && any([](const Material* m) { return m->reflectance > 0; }));
+    f.glossy = deep && any([](const Material* m) {
+                   return (m->reflectance > 0 && m->reflection_spread_degrees > 0) ||
+                          (m->refraction > 0 && m->refraction_spread_degrees > 0);
+               });
+    return f;
+}
+
+Features keep_everything(Features f) {
+    f.pixel_filter = f.lens = f.time = f.moving_camera = f.planes = f.textures = true;
+    f.visible_lights = f.lights = f.light_samples = f.specular = true;
+    f.scatter = f.refraction = f.glossy = true;
+    return f;
+}
+
+Explanation explain(const SceneDesc& scene, const PreparedScene& p, const Features& f,
+                    const std::string& double_reason) {
+    Explanation out;
+    const auto say = [&](std::string what, bool kept, std::string yes, std::string no) {
+        out.push_back({std::move(what), kept, kept ? std::move(yes) : std::move(no)});
+    };
+    const bool opens = p.exposure.time0 != p.exposure.time1 || p.exposure.s0 != p.exposure.s1;
+    say("pixel filter", f.pixel_filter, "samples spread by filter importance sampling",
+        "filter is point: every ray goes through its pixel's centre");
+    say("lens", f.lens, fmt::format("aperture radius {:.4g}", p.camera.lens.radius), "aperture radius is 0: a pinhole");
+    say("time", f.time,
+        fmt::format("{} moving bodies, camera {}", count_moving(p), f.moving_camera ? "moves" : "stands still"),
+        opens ? "nothing moves while the shutter is open" : "the shutter is instantaneous");
+    say("moving camera", f.moving_camera, "the view is computed per ray", "the view is one constant");
+    say("planes outside the BVH", f.planes, "infinite planes are tested before the BVH", "no infinite planes");
+    say("textures", f.textures, fmt::format("{} textured bodies", p.mappings.size()), "no body wears a texture");
+    say("lights", f.lights, fmt::format("{} lights", p.lights.count()), "no lights: ambient light only");
+    say("light sample dimensions", f.light_samples, "some lights have an area", "no light has an area");
+    say("visible lights", f.visible_lights, fmt::format("{} lights are bodies", p.emitters.size()),
+        "no light is a visible body");
+    say("highlights", f.specular, "some material is specular", "no material is specular");
+    say("scatter", f.scatter, fmt::format("up to {} bounces", scene.render.max_depth),
+        scene.render.max_depth == 0 ? "max_depth is 0" : "nothing reflects or refracts");
+    say("media stack", f.refraction, "some material refracts", "nothing refracts");
+    say("glossy lobes", f.glossy, "some lobe has a spread", "every lobe is sharp");
+    say("double precision", f.double_precision, double_reason.empty() ? "asked for" : double_reason,
+        "float is exact enough for every body and pixel");
+    return out;
+}
+
+}  // namespace drt

@@ -1,0 +1,16 @@
+#pragma once
+// Which features a scene needs, and why the others are left out.
+
+#include "drt/plan/features.h"
+#include "drt/plan/prepare.h"
+
+namespace drt {
+
+Features find_features(const SceneDesc&, const PreparedScene&);
+
+/// --plan=general: every stage and every table, as if the scene used everything.
+Features keep_everything(Features);
+
+Explanation explain(const SceneDesc&, const PreparedScene&, const Features&, const std::string& double_reason);
+
+}  // namespace drt

@@ -1,0 +1,122 @@
+#include "drt/plan/tables.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <unordered_map>
+
+#include "drt/image/image.h"
+
+namespace drt {
+
+namespace {
+
+FilterTable build_filter(const Filter& f) {
+    const auto kind = [&] {
+        switch (f.kind) {
+            case Filter::Kind::point:
+                return FilterKind::point;
+            case Filter::Kind::box:
+                return FilterKind::box;
+            case Filter::Kind::triangle:
+                return FilterKind::triangle;
+            case Filter::Kind::gaussian:
+                return FilterKind::gaussian;
+            case Filter::Kind::blackman_harris:
+                return FilterKind::blackman_harris;
+            case Filter::Kind::mitchell:
+                return FilterKind::mitchell;
+        }
+        return FilterKind::point;
+    }();
+    return make_filter({kind, f.radius, f.sigma});
+}
+
+ReadOptions::Transfer transfer_of(Texture::ColorSpace c) {
+    switch (c) {
+        case Texture::ColorSpace::automatic:
+            return ReadOptions::Transfer::automatic;
+        case Texture::ColorSpace::srgb:
+            return ReadOptions::Transfer::srgb;
+        case Texture::ColorSpace::linear:
+            return ReadOptions::Transfer::linear;
+    }
+    return ReadOptions::Transfer::automatic;
+}
+
+// Textures that some body wears; their number in SceneTables::textures, by name.
+using TextureIndex = std::unordered_map<std::string, int>;
+
+TextureMap load_texture(const SceneDesc& scene, size_t i, bool checker_if_missing, Diagnostics& notes,
+                        Diagnostics& errors) {
+    const Texture& t = scene.textures[i];
+    ReadOptions read;
+    read.transfer = transfer_of(t.color_space);
+    try {
+        return make_texture_map(read_image(t.file, read));
+    } catch (const Error& e) {
+        if (e.kind() != ErrorKind::asset) throw;
+        const Location place = scene.sources.find(fmt::format("textures[{}].file", i));
+        const Severity severity = checker_if_missing ? Severity::warning : Severity::error;
+        const std::string what = e.diagnostics().front().message;
+        (checker_if_missing ? notes : errors)
+            .push_back(
+                {severity, place,
+                 fmt::format("texture \"{}\": {}{}", t.name, what, checker_if_missing ? " (a checker stands in)" : ""),
+                 t.file, checker_if_missing ? "" : "an image file (--missing-textures checker renders without)", ""});
+        return make_missing_texture();
+    }
+}
+
+TextureIndex load_textures(const SceneDesc& scene, const PlanOptions& options, SceneTables& tables,
+                           Diagnostics& notes) {
+    std::set<std::string> materials, wanted;
+    for (const Body& b : scene.bodies) materials.insert(b.material);
+    for (const Material& m : scene.materials)
+        if (materials.contains(m.name)) wanted.insert(m.texture);
+    TextureIndex index;
+    Diagnostics errors;
+    for (size_t i = 0; i < scene.textures.size(); ++i) {
+        if (!wanted.contains(scene.textures[i].name)) continue;
+        index.emplace(scene.textures[i].name, int(tables.textures.size()));
+        tables.textures.push_back(load_texture(scene, i, options.checker_for_missing_textures, notes, errors));
+    }
+    if (!errors.empty()) throw Error(ErrorKind::asset, std::move(errors));
+    return index;
+}
+
+int lobe_id(LobeTables& lobes, double spread_degrees) {
+    return spread_degrees > 0 ? add_lobe(lobes, radians(spread_degrees)) : sharp;
+}
+
+void add_material(MaterialTable& t, const Material& m, const Color& ambient_light, const TextureIndex& textures) {
+    t.ambient.push_back(m.ambient * ambient_light);
+    t.diffuse.push_back(m.diffuse);
+    t.specular.push_back(m.specular);
+    t.shininess.push_back(float(m.shininess));
+    t.reflectance.push_back(float(m.reflectance));
+    t.refraction.push_back(float(m.refraction));
+    t.refraction_index.push_back(float(m.refraction_index));
+    t.reflection_lobe.push_back(lobe_id(t.lobes, m.reflection_spread_degrees));
+    t.refraction_lobe.push_back(lobe_id(t.lobes, m.refraction_spread_degrees));
+    const auto texture = textures.find(m.texture);
+    t.texture.push_back(texture == textures.end() ? no_texture : texture->second);
+    t.inv_scale_u.push_back(float(1 / m.scale_u));
+    t.inv_scale_v.push_back(float(1 / m.scale_v));
+}
+
+}  // namespace
+
+SceneTables build_tables(const SceneDesc& scene, const PlanOptions& options, const Features& features,
+                         Diagnostics& notes) {
+    SceneTables tables;
+    tables.filter = build_filter(scene.render.filter);
+    TextureIndex textures;
+    if (features.textures) textures = load_textures(scene, options, tables, notes);
+    tables.materials.ambient_light = scene.ambient_light;
+    for (const Material& m : scene.materials) add_material(tables.materials, m, scene.ambient_light, textures);
+    if (scene.materials.empty()) add_material(tables.materials, Material{}, scene.ambient_light, {});  // never read
+    return tables;
+}
+
+}  // namespace drt

@@ -1,0 +1,50 @@
+#pragma once
+// Materials, textures, the pixel filter and the sample plan of a frame.
+
+#include <vector>
+
+#include "drt/plan/features.h"
+#include "drt/plan/plan.h"
+#include "drt/plan/world.h"
+
+namespace drt {
+
+struct SceneTables {
+    MaterialTable materials;
+    std::vector<TextureMap> textures;
+    FilterTable filter;
+};
+
+/// Reads the textures that some material uses. A missing one is an Error (asset) naming its place in the scene, or, on
+/// request, a checker and a note.
+SceneTables build_tables(const SceneDesc&, const PlanOptions&, const Features&, Diagnostics& notes);
+
+template <class Real>
+SamplePlan plan_samples(const SceneDesc& scene, const PlanOptions& options, const Features& f, const World<Real>& w) {
+    SamplePlan s;
+    s.seed = scene.render.seed;
+    s.frame = std::uint32_t(options.frame);
+    s.kind = options.sampler;
+    s.max_depth = f.scatter ? scene.render.max_depth : 0;
+    // No path can be inside more bodies than there are refracting ones.
+    constexpr int largest_stack = 64;
+    int refracting = 0;
+    for (const int m : w.body_material) refracting += m >= 0 && scene.materials[size_t(m)].refraction > 0;
+    s.media_capacity = f.refraction ? std::clamp(refracting, 1, largest_stack) : 0;
+    s.roulette_depth = 3;
+    s.roulette_threshold = 0.05f;
+    return s;
+}
+
+template <class Real>
+std::size_t world_memory(const World<Real>& w) {
+    const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+    const BodyTable<Real>& b = w.bodies;
+    std::size_t sum = bytes(b.centers) + bytes(b.motions) + bytes(b.pieces) + bytes(b.spheres) + bytes(b.flats) +
+                      bytes(b.boxes) + bytes(b.cylinders) + bytes(b.planes) + bytes(w.body_material) +
+                      bytes(w.body_emitter) + bytes(w.body_mapping) + bytes(w.mappings) + w.accel->memory();
+    for (const TextureMap& t : w.textures) sum += bytes(t.texels);
+    return sum;
+}
+
+}  // namespace drt

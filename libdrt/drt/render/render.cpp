@@ -1,0 +1,172 @@
+#include "drt/render/render.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
+
+#include "drt/render/passes.h"
+#include "drt/render/tiles.h"
+
+namespace drt {
+
+std::string_view describe(StopReason r) {
+    switch (r) {
+        case StopReason::samples:
+            return "all samples taken";
+        case StopReason::time_limit:
+            return "time limit reached";
+        case StopReason::interrupted:
+            return "interrupted";
+    }
+    return "";
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+// What one thread owns: its batch, which is reused from tile to tile, and its counters.
+template <class Real>
+struct Worker {
+    std::unique_ptr<RayBatch<Real>> batch;
+    RenderCounters counters;
+    StageTimes times;
+};
+
+template <class Real>
+class FrameRenderer {
+public:
+    FrameRenderer(const World<Real>& world, const Features& features, const RenderOptions& options,
+                  const RenderEvents& events, RenderResult& result)
+        : world_(world),
+          pipeline_(compose<Real>(features)),
+          options_(options),
+          events_(events),
+          result_(result),
+          tiles_(make_tiles(result.film.width, result.film.height, options.tile_size)),
+          workers_([&] {
+              return Worker<Real>{std::make_unique<RayBatch<Real>>(world.sampling.media_capacity), {}, {}};
+          }) {}
+
+    void run() {
+        int done = 0;
+        double seconds_per_sample = 0;
+        while (const int size = next_pass(done, seconds_per_sample)) {
+            const auto pass_begin = Clock::now();
+            if (!run_pass(done, size)) break;
+            done += size;
+            seconds_per_sample = seconds_since(pass_begin) / size;
+            result_.spp_done = done;
+            if (events_.pass_done) events_.pass_done(result_.film, progress(done));
+        }
+        for (const Worker<Real>& w : workers_) {
+            merge(result_.counters, w.counters);
+            merge(result_.stage_times, w.times);
+        }
+        result_.seconds = seconds_since(begin_);
+    }
+
+private:
+    // Size of the next pass; 0 to stop, with the reason recorded.
+    int next_pass(int done, double seconds_per_sample) {
+        if (interrupted()) return stop(StopReason::interrupted);
+        if (done >= options_.spp) return stop(StopReason::samples);
+        if (options_.time_limit <= 0 || done == 0) return pass_size(done, options_.spp);
+        const double left = options_.time_limit - seconds_since(begin_);
+        const int size = pass_size_in_time(done, options_.spp, seconds_per_sample, left);
+        return size > 0 ? size : stop(StopReason::time_limit);
+    }
+
+    int stop(StopReason why) {
+        result_.stopped_by = why;
+        return 0;
+    }
+
+    bool interrupted() const { return options_.stop && options_.stop->load(std::memory_order_relaxed); }
+
+    // The very first pass is not cut short by the time limit: a picture without holes is the least one can ask for.
+    bool out_of_time(int done) const {
+        return done > 0 && options_.time_limit > 0 && seconds_since(begin_) > options_.time_limit;
+    }
+
+    // False when the pass was cut short; the film is valid all the same, since every pixel counts its own samples.
+    bool run_pass(int done, int size) {
+        std::atomic<int> tiles_done{0};
+        std::atomic<bool> cut_short{false};
+        tbb::parallel_for(size_t(0), tiles_.size(), [&](size_t i) {
+            if (cut_short.load(std::memory_order_relaxed)) return;
+            if (interrupted() || out_of_time(done)) {
+                cut_short = true;
+                return;
+            }
+            run_tile(tiles_[i], std::uint32_t(done), size);
+            report(done + size * double(++tiles_done) / double(tiles_.size()));
+        });
+        if (cut_short) stop(interrupted() ? StopReason::interrupted : StopReason::time_limit);
+        return !cut_short;
+    }
+
+    void run_tile(const TilePixels& tile, std::uint32_t first, int samples) {
+        Worker<Real>& w = workers_.local();
+        StageContext<Real> c;
+        c.world = &world_;
+        c.film = &result_.film;
+        c.pixels = &tile;
+        c.batch = w.batch.get();
+        c.counters = &w.counters;
+        const int at_once = samples_per_batch(tile.count);
+        for (int s = 0; s < samples; s += at_once) {
+            c.first_sample = first + std::uint32_t(s);
+            c.samples = std::min(at_once, samples - s);
+            drt::run(pipeline_, c, w.times);
+        }
+    }
+
+    Progress progress(double spp) const {
+        const double seconds = seconds_since(begin_);
+        double fraction = spp / options_.spp;
+        if (options_.time_limit > 0) fraction = std::max(fraction, seconds / options_.time_limit);
+        return {std::min(fraction, 1.0), result_.spp_done, seconds};
+    }
+
+    void report(double spp) {
+        if (!events_.progress) return;
+        const std::unique_lock lock(report_mutex_, std::try_to_lock);
+        if (lock.owns_lock()) events_.progress(progress(spp));
+    }
+
+    const World<Real>& world_;
+    Pipeline<Real> pipeline_;
+    const RenderOptions& options_;
+    const RenderEvents& events_;
+    RenderResult& result_;
+    std::vector<TilePixels> tiles_;
+    tbb::enumerable_thread_specific<Worker<Real>> workers_;
+    Clock::time_point begin_ = Clock::now();
+    std::mutex report_mutex_;
+};
+
+}  // namespace
+
+RenderResult render(const RenderPlan& plan, const RenderOptions& options, const RenderEvents& events) {
+    RenderResult result;
+    result.film = Film(plan.width, plan.height);
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    result.threads = arena.max_concurrency();
+    arena.execute([&] {
+        std::visit(
+            [&](const auto& world) {
+                using Real = typename std::decay_t<decltype(*world)>::RealType;
+                FrameRenderer<Real>(*world, plan.features, options, events, result).run();
+            },
+            plan.world);
+    });
+    result.error = estimate_error(result.film);
+    return result;
+}
+
+}  // namespace drt

@@ -1,0 +1,61 @@
+#include "drt/stages/accumulate.h"
+#include "drt/stages/stages.h"
+
+namespace drt {
+
+namespace {
+
+// Visible lights in the packet: what they send back along the rays that hit them. They are rare, so lane by lane.
+template <class Real>
+Color3<typename Pack<Real>::F> emitted(const World<Real>& w, const RayBatch<Real>& b, int i) {
+    using F = typename Pack<Real>::F;
+    Color3<F> out(F(0));
+    for (int l = 0; l < Pack<Real>::width; ++l) {
+        const int body = b.body[i + l];
+        if (body < 0 || w.body_emitter[size_t(body)] < 0) continue;
+        const Emitter& e = w.emitters[size_t(w.body_emitter[size_t(body)])];
+        if (!e.two_sided && !b.outward[i + l]) continue;
+        out.r[l] = e.radiance.r;
+        out.g[l] = e.radiance.g;
+        out.b[l] = e.radiance.b;
+    }
+    return out;
+}
+
+template <class Real, bool visible_lights>
+void emit(StageContext<Real>& c) {
+    using P = Pack<Real>;
+    using F = typename P::F;
+    using I = typename P::I;
+    const World<Real>& w = *c.world;
+    RayBatch<Real>& b = *c.batch;
+    const Color3<F> background(w.background);
+    for (int i = 0; i < b.count; i += P::width) {
+        const auto live = mask_cast<F>(load<I>(b.slot.at(i)) >= I(0));
+        const auto hit = live && mask_cast<F>(load<I>(b.body.at(i)) >= I(0));
+        const I material = load<I>(b.material.at(i));
+        const auto shaded = mask_cast<F>(material >= I(0));
+        const I safe = max(material, I(0));
+        const auto textured = mask_cast<F>(gather<I>(w.materials.texture.data(), safe) >= I(0));
+        Color3<F> ambient = gather_color<F>(w.materials.ambient, safe);
+        ambient = select(textured, load_color<F>(b.albedo, i) * Color3<F>(w.materials.ambient_light), ambient);
+        Color3<F> light = select(hit, Color3<F>(F(0)), background);
+        light = select(shaded, ambient, light);
+        if constexpr (visible_lights) light += emitted(w, b, i);
+        add_radiance(b, i, live, load_color<F>(b.throughput, i) * light);
+        // Coverage: the filter's weight goes with it, so that its mean is the filtered coverage.
+        if (b.bounce == 0) store(select(hit, load<F>(b.throughput.x.at(i)), F(0)), b.alpha.at(i));
+    }
+}
+
+}  // namespace
+
+template <class Real>
+StageFunction<Real> emit_stage(const Features& f) {
+    return f.visible_lights ? emit<Real, true> : emit<Real, false>;
+}
+
+template StageFunction<float> emit_stage(const Features&);
+template StageFunction<double> emit_stage(const Features&);
+
+}  // namespace drt

@@ -1,0 +1,84 @@
+#include <algorithm>
+
+#include "drt/stages/stages.h"
+
+namespace drt {
+
+std::string_view name_of(StageKind k) {
+    switch (k) {
+        case StageKind::generate:
+            return "generate";
+        case StageKind::intersect:
+            return "intersect";
+        case StageKind::surface:
+            return "surface";
+        case StageKind::emit:
+            return "emit";
+        case StageKind::light:
+            return "light";
+        case StageKind::scatter:
+            return "scatter";
+        case StageKind::splat:
+            return "splat";
+    }
+    return "";
+}
+
+void merge(RenderCounters& into, const RenderCounters& from) {
+    into.camera_rays += from.camera_rays;
+    into.scattered_rays += from.scattered_rays;
+    into.shadow_rays += from.shadow_rays;
+    into.media_overflows += from.media_overflows;
+    into.trace.rejected += from.trace.rejected;
+    merge(into.film, from.film);
+}
+
+void merge(StageTimes& into, const StageTimes& from) {
+    for (size_t i = 0; i < into.spent.size(); ++i) into.spent[i] += from.spent[i];
+}
+
+namespace {
+
+template <class Real>
+void run_stage(const Stage<Real>& stage, StageContext<Real>& c, StageTimes& times) {
+    const auto begin = std::chrono::steady_clock::now();
+    stage.run(c);
+    times.spent[size_t(stage.kind)] += std::chrono::steady_clock::now() - begin;
+}
+
+}  // namespace
+
+template <class Real>
+void run(const Pipeline<Real>& pipeline, StageContext<Real>& c, StageTimes& times) {
+    for (const auto& s : pipeline.first) run_stage(s, c, times);
+    while (c.batch->count > 0)
+        for (const auto& s : pipeline.bounce) run_stage(s, c, times);
+    for (const auto& s : pipeline.last) run_stage(s, c, times);
+}
+
+template void run(const Pipeline<float>&, StageContext<float>&, StageTimes&);
+template void run(const Pipeline<double>&, StageContext<double>&, StageTimes&);
+
+int samples_per_batch(int pixels) {
+    constexpr int widest = 16;
+    const int padded = (pixels + widest - 1) / widest * widest;
+    return std::max(1, batch_capacity / padded);
+}
+
+template <class Real>
+Pipeline<Real> compose(const Features& f) {
+    Pipeline<Real> p;
+    p.first.push_back({StageKind::generate, generate_stage<Real>(f)});
+    p.bounce.push_back({StageKind::intersect, intersect_stage<Real>});
+    p.bounce.push_back({StageKind::surface, surface_stage<Real>(f)});
+    p.bounce.push_back({StageKind::emit, emit_stage<Real>(f)});
+    if (f.lights) p.bounce.push_back({StageKind::light, light_stage<Real>(f)});
+    p.bounce.push_back({StageKind::scatter, f.scatter ? scatter_stage<Real>(f) : end_stage<Real>});
+    p.last.push_back({StageKind::splat, splat_stage<Real>});
+    return p;
+}
+
+template Pipeline<float> compose(const Features&);
+template Pipeline<double> compose(const Features&);
+
+}  // namespace drt

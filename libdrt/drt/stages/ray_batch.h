@@ -1,0 +1,89 @@
+#pragma once
+// One batch: the rays of a tile for a few samples, as a structure of arrays that stays in the second-level cache and
+// is reused. Stages read and write it; nothing here allocates after construction.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "drt/accel/accel.h"
+#include "drt/base/color.h"
+
+namespace drt {
+
+inline constexpr int batch_capacity = 2048;  ///< rays: measured, docs/pipeline.md
+
+/// A column of the batch. Padded by one packet: stores of whole packets may run over the end.
+template <class T>
+struct alignas(64) Column {
+    std::array<T, batch_capacity + 16> v;
+    T* at(int i) { return v.data() + i; }
+    const T* at(int i) const { return v.data() + i; }
+    T& operator[](int i) { return v[size_t(i)]; }
+    const T& operator[](int i) const { return v[size_t(i)]; }
+};
+
+template <class T>
+struct Column3 {
+    Column<T> x, y, z;
+};
+
+template <class V, class S>
+Vec3<V> load3(const Column3<S>& c, int i) {
+    return {load<V>(c.x.at(i)), load<V>(c.y.at(i)), load<V>(c.z.at(i))};
+}
+template <class V, class S>
+Color3<V> load_color(const Column3<S>& c, int i) {
+    return {load<V>(c.x.at(i)), load<V>(c.y.at(i)), load<V>(c.z.at(i))};
+}
+template <class V, class S>
+void store3(const Vec3<V>& v, Column3<S>& c, int i) {
+    store(v.x, c.x.at(i));
+    store(v.y, c.y.at(i));
+    store(v.z, c.z.at(i));
+}
+template <class V, class S>
+void store_color(const Color3<V>& v, Column3<S>& c, int i) {
+    store(v.r, c.x.at(i));
+    store(v.g, c.y.at(i));
+    store(v.b, c.z.at(i));
+}
+
+template <class Real>
+struct RayBatch {
+    // rays 0 .. count - 1, compacted after each bounce; `slot` leads back to the path
+    int count = 0;
+    int bounce = 0;
+    Column3<Real> o, d;
+    Column<float> time;
+    Column<std::int32_t> start;
+    Column<std::int32_t> slot;         ///< -1: padding, no ray
+    Column<std::uint32_t> key, index;  ///< the path's sample set
+    Column3<float> throughput;
+    Column<float> footprint, spread;  ///< of the ray's cone: width at the origin, and growth per unit length
+
+    // hits
+    Column<Real> t;
+    Column3<Real> ng;
+    Column<std::int32_t> body, part;
+
+    // surface points of rays that hit a surface (material >= 0)
+    Column3<Real> p, n;             ///< point; unit normal that faces the ray
+    Column<std::int32_t> material;  ///< -1: nothing to shade
+    Column<std::int32_t> outward;   ///< 1: the ray came from the side that ng points to
+    Column3<float> albedo;          ///< diffuse colour, textured or not
+
+    // paths, by slot: not compacted
+    int slots = 0;
+    Column3<float> radiance;
+    Column<float> alpha;
+    Column<std::int32_t> pixel;  ///< index in the tile's pixel list
+    Column<std::uint32_t> sample;
+    std::vector<std::int32_t> media;  ///< [capacity][slot]: bodies that the path is inside of, outermost first
+    std::vector<std::int32_t> media_count;
+
+    explicit RayBatch(int media_capacity)
+        : media(size_t(media_capacity) * batch_capacity), media_count(media_capacity > 0 ? batch_capacity : 0) {}
+};
+
+}  // namespace drt

@@ -1,0 +1,181 @@
+#include "drt/sampling/lobe.h"
+#include "drt/stages/media.h"
+#include "drt/stages/stages.h"
+
+namespace drt {
+
+namespace {
+
+template <class Real>
+struct Directions {
+    using P = Pack<Real>;
+    Vec3<typename P::R> d;      // the new direction, before its lobe
+    typename P::I lobe;         // index of its glossy lobe, or sharp
+    typename P::Mask refracts;  // it crosses the surface
+};
+
+template <class R>
+Vec3<R> mirror(const Vec3<R>& v, const Vec3<R>& n) {
+    return v - n * (R(2) * dot(v, n));
+}
+
+// n1 and n2 for the lanes that try to cross; the stack is per path, so lane by lane.
+template <class Real>
+std::pair<typename Pack<Real>::R, typename Pack<Real>::R> indices_at(const World<Real>& w, RayBatch<Real>& b, int i,
+                                                                     const typename Pack<Real>::Mask& lanes) {
+    using R = typename Pack<Real>::R;
+    R n1(1), n2(1);
+    const auto index_of = [&](int body) { return w.materials.refraction_index[size_t(w.body_material[size_t(body)])]; };
+    for (int l = 0; l < Pack<Real>::width; ++l) {
+        if (!lane_bit(lanes, l)) continue;
+        const MediaStack<Real> stack(b, b.slot[i + l]);
+        const Interface f = interface_at(stack, b.body[i + l], b.outward[i + l] != 0, index_of);
+        n1[l] = Real(f.n1);
+        n2[l] = Real(f.n2);
+    }
+    return {n1, n2};
+}
+
+template <class Real>
+void cross_surfaces(RayBatch<Real>& b, int i, const typename Pack<Real>::Mask& lanes, RenderCounters& counters) {
+    for (int l = 0; l < Pack<Real>::width; ++l) {
+        if (!lane_bit(lanes, l)) continue;
+        MediaStack<Real> stack(b, b.slot[i + l]);
+        if (b.outward[i + l]) {  // met from outside: enters
+            if (!stack.push(b.body[i + l])) ++counters.media_overflows;
+        } else if (const int depth = stack.find(b.body[i + l]); depth >= 0) {
+            stack.erase(depth);
+        }
+    }
+}
+
+// Mirror direction; or, with probability refraction / (reflectance + refraction), the refracted one. Total internal
+// reflection sends the refracted share into the mirror direction, with refraction's own spread.
+template <class Real, bool refraction>
+Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i,
+                                  const SampleSet<typename Pack<Real>::F>& samples,
+                                  const typename Pack<Real>::I& material, const typename Pack<Real>::Mask& live) {
+    using P = Pack<Real>;
+    using R = typename P::R;
+    using F = typename P::F;
+    using I = typename P::I;
+    using std::sqrt;
+    const Vec3<R> d = load3<R>(b.d, i), n = load3<R>(b.n, i);
+    Directions<Real> out{mirror(d, n), gather<I>(w.materials.reflection_lobe.data(), material),
+                         typename P::Mask(false)};
+    if constexpr (refraction) {
+        const F kr = gather<F>(w.materials.reflectance.data(), material);
+        const F kt = gather<F>(w.materials.refraction.data(), material);
+        const F choice = sample_1d(w.sampling.kind, samples, dim(HitDim::lobe_choice, b.bounce));
+        const auto through = live && choice * (kr + kt) >= kr && kt > F(0);
+        if (!any(through)) return out;
+        const auto [n1, n2] = indices_at(w, b, i, through);
+        const R eta = n1 / n2;
+        const R c = dot(d, n);
+        const R s2 = eta * eta * max(R(1) - c * c, R(0));
+        const auto crosses = through && mask_cast<F>(s2 <= R(1));
+        const Vec3<R> t = d * eta - n * (eta * c + sqrt(max(R(1) - s2, R(0))));
+        out.d = select(mask_cast<R>(crosses), normalize(t), out.d);
+        out.lobe = select(mask_cast<I>(through), gather<I>(w.materials.refraction_lobe.data(), material), out.lobe);
+        out.refracts = crosses;
+    }
+    return out;
+}
+
+template <class Real>
+Vec3<typename Pack<Real>::R> spread_lobe(const World<Real>& w, const RayBatch<Real>& b, const Directions<Real>& dir,
+                                         const SampleSet<typename Pack<Real>::F>& samples) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    using I = typename Pack<Real>::I;
+    const auto glossy = dir.lobe != I(sharp);
+    if (!any(glossy)) return dir.d;
+    const Vec2<F> u = sample_2d(w.sampling.kind, samples, dim(HitDim::lobe, b.bounce));
+    const F theta = lobe_theta(w.materials.lobes, max(dir.lobe, I(0)), u.x);
+    const Vec3<R> bent = lobe_direction(frame_around(dir.d), num_cast<R>(theta), num_cast<R>(u.y));
+    return select(mask_cast<R>(glossy), bent, dir.d);
+}
+
+// Unbiased early end of paths that can hardly matter any more, from the depth where it pays.
+template <class Real>
+typename Pack<Real>::Mask survive(const World<Real>& w, const RayBatch<Real>& b,
+                                  const SampleSet<typename Pack<Real>::F>& samples,
+                                  Color3<typename Pack<Real>::F>& throughput) {
+    using F = typename Pack<Real>::F;
+    using std::abs;
+    const F largest = max(abs(throughput.r), max(abs(throughput.g), abs(throughput.b)));
+    if (b.bounce < w.sampling.roulette_depth) return largest > F(0);
+    const F p = min(largest * F(1 / w.sampling.roulette_threshold), F(1));
+    const auto alive = sample_1d(w.sampling.kind, samples, dim(HitDim::roulette, b.bounce)) < p;
+    throughput *= F(1) / max(p, F(1e-30f));
+    return alive && largest > F(0);
+}
+
+template <class Real, bool refraction, bool glossy>
+void scatter(StageContext<Real>& c) {
+    using P = Pack<Real>;
+    using R = typename P::R;
+    using F = typename P::F;
+    using I = typename P::I;
+    using U = typename P::U;
+    const World<Real>& w = *c.world;
+    RayBatch<Real>& b = *c.batch;
+    const int count_before = b.bounce < w.sampling.max_depth ? b.count : 0;
+    int out = 0;
+    for (int i = 0; i < count_before; i += P::width) {
+        const I raw_material = load<I>(b.material.at(i));
+        const I material = max(raw_material, I(0));
+        F share = gather<F>(w.materials.reflectance.data(), material);
+        if constexpr (refraction) share += gather<F>(w.materials.refraction.data(), material);
+        auto live = mask_cast<F>(raw_material >= I(0)) && share > F(0);
+        if (!any(live)) continue;
+        Color3<F> throughput = load_color<F>(b.throughput, i) * share;
+        const SampleSet<F> samples{load<U>(b.key.at(i)), load<U>(b.index.at(i))};
+        live = live && survive(w, b, samples, throughput);
+        if (!any(live)) continue;
+        const Directions<Real> dir = choose_direction<Real, refraction>(w, b, i, samples, material, live);
+        Vec3<R> d = dir.d;
+        if constexpr (glossy) d = spread_lobe(w, b, dir, samples);
+        // A lobe's tail that ends on the wrong side of the surface is mirrored back about the tangent plane.
+        const Vec3<R> n = load3<R>(b.n, i);
+        const auto below = dot(d, n) < R(0);
+        d = normalize(select(below != mask_cast<R>(dir.refracts), mirror(d, n), d));
+        if constexpr (refraction) cross_surfaces(b, i, live && dir.refracts, *c.counters);
+        const I came_outward = load<I>(b.outward.at(i));
+        const I leaves_outward = select(mask_cast<I>(dir.refracts), I(1) - came_outward, came_outward);
+        const I start = start::pack(load<I>(b.body.at(i)), load<I>(b.part.at(i)), leaves_outward);
+
+        // Stable compaction in place: `out` never overtakes the packet at hand, which is in registers from here on.
+        const auto keep = [&](auto& column, const auto& v) {
+            using V = std::decay_t<decltype(v)>;
+            compress_store(mask_cast<V>(live), v, column.at(out));
+        };
+        const Vec3<R> p = load3<R>(b.p, i);
+        const F time = load<F>(b.time.at(i)), footprint = load<F>(b.footprint.at(i)), spread = load<F>(b.spread.at(i));
+        const I slot = load<I>(b.slot.at(i));
+        keep(b.o.x, p.x), keep(b.o.y, p.y), keep(b.o.z, p.z);
+        keep(b.d.x, d.x), keep(b.d.y, d.y), keep(b.d.z, d.z);
+        keep(b.time, time), keep(b.footprint, footprint), keep(b.spread, spread);
+        keep(b.start, start), keep(b.slot, slot);
+        keep(b.key, samples.key), keep(b.index, samples.index);
+        keep(b.throughput.x, throughput.r), keep(b.throughput.y, throughput.g), keep(b.throughput.z, throughput.b);
+        out += count(live);
+    }
+    store(I(-1), b.slot.at(out));  // the last packet's unused lanes
+    b.count = out;
+    ++b.bounce;
+    c.counters->scattered_rays += std::uint64_t(out);
+}
+
+}  // namespace
+
+template <class Real>
+StageFunction<Real> scatter_stage(const Features& f) {
+    if (f.refraction) return f.glossy ? scatter<Real, true, true> : scatter<Real, true, false>;
+    return f.glossy ? scatter<Real, false, true> : scatter<Real, false, false>;
+}
+
+template StageFunction<float> scatter_stage(const Features&);
+template StageFunction<double> scatter_stage(const Features&);
+
+}  // namespace drt

@@ -1,0 +1,76 @@
+#pragma once
+// A stage is a plain function over a batch. The pipeline of a frame is a short list of them, composed once from the
+// plan's features: a stage that a scene does not need is not in the list.
+
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "drt/film/film.h"
+#include "drt/plan/features.h"
+#include "drt/plan/world.h"
+#include "drt/stages/ray_batch.h"
+
+namespace drt {
+
+/// The pixels of one tile in Morton order, so that each packet is a small square of pixels.
+struct TilePixels {
+    std::vector<std::int32_t> x, y;  ///< padded to whole packets by repeating the last pixel
+    int count = 0;                   ///< without the padding
+};
+
+/// Counted per thread, added up at the end of a pass.
+struct RenderCounters {
+    std::uint64_t camera_rays = 0, scattered_rays = 0, shadow_rays = 0;
+    std::uint64_t media_overflows = 0;  ///< paths inside more bodies than the stack holds
+    TraceCounters trace;
+    FilmCounters film;
+};
+
+void merge(RenderCounters& into, const RenderCounters& from);
+
+/// Everything that a stage may touch. One per thread and in use by one tile at a time.
+template <class Real>
+struct StageContext {
+    const World<Real>* world = nullptr;
+    Film* film = nullptr;
+    const TilePixels* pixels = nullptr;
+    std::uint32_t first_sample = 0;
+    int samples = 0;  ///< of each pixel in this batch
+    RayBatch<Real>* batch = nullptr;
+    RenderCounters* counters = nullptr;
+};
+
+enum class StageKind { generate, intersect, surface, emit, light, scatter, splat };
+inline constexpr int stage_kinds = 7;
+std::string_view name_of(StageKind);
+
+template <class Real>
+struct Stage {
+    StageKind kind;
+    void (*run)(StageContext<Real>&);
+};
+
+/// `first` once, then `bounce` while rays are left, then `last`.
+template <class Real>
+struct Pipeline {
+    std::vector<Stage<Real>> first, bounce, last;
+};
+
+template <class Real>
+Pipeline<Real> compose(const Features&);
+
+struct StageTimes {
+    std::array<std::chrono::nanoseconds, stage_kinds> spent{};
+};
+void merge(StageTimes& into, const StageTimes& from);
+
+/// Runs a pipeline over one batch: all of a tile's pixels, `samples` samples each.
+template <class Real>
+void run(const Pipeline<Real>&, StageContext<Real>&, StageTimes&);
+
+/// How many samples of each of n pixels fit in one batch.
+int samples_per_batch(int pixels);
+
+}  // namespace drt

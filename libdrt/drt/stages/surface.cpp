@@ -1,0 +1,47 @@
+#include "drt/stages/stages.h"
+#include "drt/stages/texture_mapping.h"
+
+namespace drt {
+
+namespace {
+
+template <class Real, bool textured>
+void surface(StageContext<Real>& c) {
+    using P = Pack<Real>;
+    using R = typename P::R;
+    using F = typename P::F;
+    using I = typename P::I;
+    const World<Real>& w = *c.world;
+    RayBatch<Real>& b = *c.batch;
+    for (int i = 0; i < b.count; i += P::width) {
+        const I body = load<I>(b.body.at(i));
+        const auto hit = body >= I(0);
+        const I material = select(hit, gather<I>(w.body_material.data(), max(body, I(0))), I(-1));
+        store(material, b.material.at(i));
+        if (!any(hit)) continue;
+        const Vec3<R> d = load3<R>(b.d, i);
+        const R t = load<R>(b.t.at(i));
+        const Vec3<R> ng = normalize(load3<R>(b.ng, i));
+        const auto outward = dot(d, ng) < R(0);
+        store3(load3<R>(b.o, i) + d * t, b.p, i);
+        store3(select(outward, ng, -ng), b.n, i);
+        store(select(mask_cast<I>(outward), I(1), I(0)), b.outward.at(i));
+        const F width = load<F>(b.footprint.at(i)) + load<F>(b.spread.at(i)) * num_cast<F>(t);
+        store(width, b.footprint.at(i));
+        Color3<F> albedo = gather_color<F>(w.materials.diffuse, max(material, I(0)));
+        if constexpr (textured) albedo = texture_color(w, b, i, material, albedo);
+        store_color(albedo, b.albedo, i);
+    }
+}
+
+}  // namespace
+
+template <class Real>
+StageFunction<Real> surface_stage(const Features& f) {
+    return f.textures ? surface<Real, true> : surface<Real, false>;
+}
+
+template StageFunction<float> surface_stage(const Features&);
+template StageFunction<double> surface_stage(const Features&);
+
+}  // namespace drt
