@@ -17,6 +17,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+# The build for development: optimised enough to render with, assertions on (the standard library's as well).
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g -D_GLIBCXX_ASSERTIONS")
 
 if(DRT_CCACHE)
   find_program(DRT_CCACHE_PROGRAM ccache)
@@ -32,12 +34,12 @@ add_library(drt::flags ALIAS drt_flags)
 target_compile_features(drt_flags INTERFACE cxx_std_20)
 # -fno-math-errno/-fno-trapping-math let GCC vectorise sqrt and comparisons; NaN and infinity keep
 # their IEEE meaning (no -ffast-math, no -ffinite-math-only).
-target_compile_options(drt_flags INTERFACE -march=${DRT_ARCH} -fno-math-errno -fno-trapping-math)
+# -Wno-psabi: vector types in signatures change the ABI between ISAs; all of drt is one ISA.
+target_compile_options(drt_flags INTERFACE -march=${DRT_ARCH} -fno-math-errno -fno-trapping-math -Wno-psabi)
 
 add_library(drt_build_flags INTERFACE)  # for our own sources only, never exported
 target_link_libraries(drt_build_flags INTERFACE drt_flags)
-# -Wno-psabi: vector types in signatures change the ABI between ISAs; all of drt is one ISA.
-target_compile_options(drt_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi)
+target_compile_options(drt_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
 # GCC 12 takes the deliberately undefined pass-through operand of its own AVX-512 intrinsics for a bug
 # (gcc.gnu.org/PR105593), in every use of stdx::simd's sqrt and conversions.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

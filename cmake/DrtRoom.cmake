@@ -1,31 +1,47 @@
 # A room is one folder of libdrt/drt with one purpose, built as one static library.
 #
+#   drt_floor(<number>)
 #   drt_add_room(<name> DEPENDS <rooms it may include> [LIBRARIES <third-party targets>])
 #
-# Sources are found by globbing the room's folder. DEPENDS is the layering: the ctest `layering`
-# compares it with the #include lines (tests/layering). Third-party libraries are PRIVATE: only a room's
-# .cpp files see them.
-set_property(GLOBAL PROPERTY DRT_ROOMS "")
-set_property(GLOBAL PROPERTY DRT_ROOM_EDGES "")
+# Sources are found by globbing the room's folder. DEPENDS is the layering: the ctest `layering` compares it with the
+# #include lines (tests/layering). Third-party libraries are PRIVATE: only a room's .cpp files see them.
+# A room may depend only on rooms declared before it, so there are no cycles.
+define_property(GLOBAL PROPERTY DRT_ROOMS BRIEF_DOCS "Names of all rooms, in order of declaration")
+define_property(GLOBAL PROPERTY DRT_ROOM_RECORDS BRIEF_DOCS "What each room declared, for the layering check")
+
+# The rooms that follow are on this floor: nothing points up.
+function(drt_floor number)
+  set_property(GLOBAL PROPERTY DRT_FLOOR ${number})
+endfunction()
 
 function(drt_add_room name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  get_property(rooms GLOBAL PROPERTY DRT_ROOMS)
+  foreach(room IN LISTS ARG_DEPENDS)
+    if(NOT room IN_LIST rooms)
+      message(FATAL_ERROR "Room ${name} depends on ${room}, which is not declared before it")
+    endif()
+  endforeach()
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/drt/${name}/*.cpp)
   list(TRANSFORM ARG_DEPENDS PREPEND drt_ OUTPUT_VARIABLE deps)
   if(sources)
     add_library(drt_${name} STATIC ${sources})
     set(scope PUBLIC)
-    target_link_libraries(drt_${name} PRIVATE drt_build_flags ${ARG_LIBRARIES})
+    target_link_libraries(drt_${name} PRIVATE $<BUILD_INTERFACE:drt_build_flags> ${ARG_LIBRARIES})
   else()
     add_library(drt_${name} INTERFACE)
     set(scope INTERFACE)
   endif()
   add_library(drt::${name} ALIAS drt_${name})
+  set_target_properties(drt_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(drt_${name} ${scope} $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>)
   target_link_libraries(drt_${name} ${scope} drt_flags ${deps})
+
   set_property(GLOBAL APPEND PROPERTY DRT_ROOMS ${name})
-  string(REPLACE ";" "," edges "${ARG_DEPENDS}")
-  set_property(GLOBAL APPEND PROPERTY DRT_ROOM_EDGES "${name}:${edges}")
+  get_property(floor GLOBAL PROPERTY DRT_FLOOR)
+  list(JOIN ARG_DEPENDS "," depends)
+  list(JOIN ARG_LIBRARIES "," libraries)
+  set_property(GLOBAL APPEND PROPERTY DRT_ROOM_RECORDS "room ${name} floor=${floor} depends=${depends} libraries=${libraries}")
 endfunction()
 
 #   drt_add_test(<name> SOURCES <files> ROOMS <rooms> [LIBRARIES <targets>] [LABELS <labels>])

@@ -1,15 +1,16 @@
-# Finds the client's packages, each with the least version drt was tested with.
-find_package(embree 3.13 REQUIRED)
-find_package(OpenEXR 3.1 REQUIRED)
-find_package(OpenImageIO 2.4 REQUIRED)
-find_package(TBB 2021 REQUIRED)
-find_package(yaml-cpp 0.7 REQUIRED)
-find_package(fmt 9 REQUIRED)
-find_package(GTest 1.12 REQUIRED)
+# Finds what drt is built from, or says in one message what is missing and how to get it.
+include(${CMAKE_CURRENT_LIST_DIR}/require.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/library_dependencies.cmake)
 
+# For the programs.
+drt_require(CLI11 2.1 APT libcli11-dev)
+drt_require(xxhash 0 APT libxxhash-dev HEADER xxhash.h LIBRARY xxhash)
+drt_require(osmium 0 APT libosmium2-dev HEADER osmium/util/progress_bar.hpp)
+if(DRT_BUILD_TESTS)
+  drt_require(GTest 1.12 APT libgtest-dev)
+endif()
 
-# Debian 12's OpenImageIO exports OpenCV's include folder, which libopenimageio-dev does not install; CMake refuses
-# to generate with a folder that does not exist.
-get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-list(FILTER oiio_includes EXCLUDE REGEX "opencv")
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
+drt_report_missing(_drt_missing)
+if(_drt_missing)
+  message(FATAL_ERROR "${_drt_missing}")
+endif()

@@ -1,0 +1,10 @@
+# find_package(drt) gives drt::drt: the whole library, with the flags it must be compiled with.
+include(${CMAKE_CURRENT_LIST_DIR}/require.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/library_dependencies.cmake)
+drt_report_missing(_drt_missing)
+if(_drt_missing)
+  set(drt_FOUND FALSE)
+  set(drt_NOT_FOUND_MESSAGE "${_drt_missing}")
+  return()
+endif()
+include(${CMAKE_CURRENT_LIST_DIR}/drtTargets.cmake)

@@ -1,0 +1,78 @@
+# drt_require(<what> <least version> APT <package> [HEADER <path> [LIBRARY <name>]])
+#
+# Finds a CMake package, or with HEADER a library that comes without one, which becomes the target <what>::<what>. What is missing or too old is collected,
+# so that drt_report_missing can name everything at once and say how to get it.
+
+function(_drt_found_version what out)
+  # Config files disagree on case (embree sets EMBREE_VERSION).
+  string(TOUPPER ${what} upper)
+  foreach(variable ${what}_VERSION ${upper}_VERSION)
+    if(${variable})
+      set(${out} ${${variable}} PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  set(${out} 0 PARENT_SCOPE)
+endfunction()
+
+macro(_drt_note_missing text)
+  set_property(GLOBAL APPEND PROPERTY DRT_MISSING_TEXT "${text}")
+  set_property(GLOBAL APPEND PROPERTY DRT_MISSING_APT ${ARG_APT})
+endmacro()
+
+function(_drt_require_header)
+  find_path(DRT_${what}_INCLUDE_DIR ${ARG_HEADER})
+  mark_as_advanced(DRT_${what}_INCLUDE_DIR)
+  if(NOT DRT_${what}_INCLUDE_DIR)
+    _drt_note_missing("${what}: no header <${ARG_HEADER}>")
+    return()
+  endif()
+  add_library(${what}::${what} INTERFACE IMPORTED)
+  target_include_directories(${what}::${what} INTERFACE ${DRT_${what}_INCLUDE_DIR})
+  if(ARG_LIBRARY)
+    find_library(DRT_${what}_LIBRARY ${ARG_LIBRARY})
+    mark_as_advanced(DRT_${what}_LIBRARY)
+    if(DRT_${what}_LIBRARY)
+      target_link_libraries(${what}::${what} INTERFACE ${DRT_${what}_LIBRARY})
+    else()
+      _drt_note_missing("${what}: no library ${ARG_LIBRARY}")
+    endif()
+  endif()
+endfunction()
+
+function(drt_require what least)
+  cmake_parse_arguments(ARG "" "APT;HEADER;LIBRARY" "" ${ARGN})
+  if(ARG_HEADER)
+    _drt_require_header()
+    return()
+  endif()
+  # The version is compared here: several of these packages call every newer major version incompatible.
+  set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)  # some config files report on parts of theirs that nobody asked for
+  find_package(${what} CONFIG QUIET)
+  _drt_found_version(${what} version)
+  if(NOT ${what}_FOUND)
+    _drt_note_missing("${what} ${least} or later: not found")
+  elseif(version VERSION_LESS least)
+    _drt_note_missing("${what} ${least} or later: found ${version} in ${${what}_DIR}")
+  endif()
+  set(DRT_${what}_VERSION ${version} PARENT_SCOPE)
+endfunction()
+
+# Puts one message about everything that is missing into <out>; empty when nothing is.
+function(drt_report_missing out)
+  get_property(texts GLOBAL PROPERTY DRT_MISSING_TEXT)
+  get_property(packages GLOBAL PROPERTY DRT_MISSING_APT)
+  set_property(GLOBAL PROPERTY DRT_MISSING_TEXT "")
+  set_property(GLOBAL PROPERTY DRT_MISSING_APT "")
+  set(message "")
+  if(texts)
+    list(REMOVE_DUPLICATES packages)
+    list(JOIN texts "\n  " lines)
+    list(JOIN packages " " packages)
+    set(message "drt needs what is not installed here:\n  ${lines}\n"
+      "On Debian 12, Debian 13 and Ubuntu 24.04, third_party/setup.sh installs all of it; or by hand:\n"
+      "  apt-get install --no-install-recommends ${packages}\n")
+    string(CONCAT message ${message})
+  endif()
+  set(${out} "${message}" PARENT_SCOPE)
+endfunction()
