@@ -70,7 +70,7 @@ function(drt_report_missing out)
     list(JOIN texts "\n  " lines)
     list(JOIN packages " " packages)
     set(message "drt needs what is not installed here:\n  ${lines}\n"
-      "On Debian 12, Debian 13 and Ubuntu 24.04, third_party/setup.sh installs all of it; or by hand:\n"
+      "On Debian 12, Debian 13 and Ubuntu 24.04, third_party/setup.sh installs all of it, or by hand:\n"
       "  apt-get install --no-install-recommends ${packages}\n")
     string(CONCAT message ${message})
   endif()
