@@ -13,7 +13,7 @@ using L16 = Lane<float, 16>;
 /// The largest relative error of `f` against `truth` over x in [lo, hi], evaluated in lanes; also checks that scalars
 /// agree with lanes, to `scalar_ulps`.
 template <class F, class G>
-double worst(double lo, double hi, F f, G truth, bool logarithmic = false, double scalar_ulps = 2) {
+double worst(double lo, double hi, F f, G truth, bool logarithmic = false, double scalar_ulps = 4) {
     std::mt19937 rng(7);
     std::uniform_real_distribution<double> unit(logarithmic ? std::log(lo) : lo, logarithmic ? std::log(hi) : hi);
     double largest = 0;
@@ -40,7 +40,7 @@ TEST(Math, SinCosOfTurns) {
         worst_float = std::max({worst_float, double(std::abs(s - std::sin(a))), double(std::abs(c - std::cos(a)))});
         worst_double = std::max({worst_double, double(std::abs(sd - std::sin(b))), double(std::abs(cd - std::cos(b)))});
     }
-    EXPECT_LT(worst_float, 1.5e-7);
+    EXPECT_LT(worst_float, 2e-7);
     EXPECT_LT(worst_double, 4e-16);
     EXPECT_EQ(sincos_2pi(0.0f), (std::pair{0.0f, 1.0f}));
     EXPECT_EQ(sincos_2pi(0.25f).second, 0.0f);

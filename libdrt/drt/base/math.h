@@ -73,7 +73,7 @@ T copy_sign(const T& magnitude, const T& sign) {
 
 }  // namespace math_detail
 
-/// {sin, cos} of 2 pi u, |u| < 2^20; exact zeros at multiples of a quarter. Float: error <= 1.5e-7; double: <= 4e-16.
+/// {sin, cos} of 2 pi u, |u| < 2^20; exact zeros at multiples of a quarter. Float: error <= 2e-7; double: <= 4e-16.
 template <class T>
 std::pair<T, T> sincos_2pi(const T& u) {
     using namespace math_detail;
