@@ -1,7 +1,11 @@
 #include "drt/accel/accel.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
+#if DRT_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
 
 #include <atomic>
 #include <cmath>
@@ -34,11 +38,20 @@ struct Group {
     BodyGroup group;
 };
 
+// Embree 4 renamed the context of a query and moved it into a struct of arguments.
+#if DRT_EMBREE_MAJOR >= 4
+using EmbreeContext = RTCRayQueryContext;
+constexpr auto init_context = rtcInitRayQueryContext;
+#else
+using EmbreeContext = RTCIntersectContext;
+constexpr auto init_context = rtcInitIntersectContext;
+#endif
+
 // What a callback finds behind Embree's context pointer: the true rays, in Real, and where hits go. Embree's own
 // float copy of the rays only steers the traversal.
 template <class Real>
 struct Query {
-    RTCIntersectContext embree;
+    EmbreeContext embree;
     const RayPacket<Real>* rays = nullptr;
     HitPacket<Real>* hits = nullptr;
     typename Pack<Real>::R tmin;
@@ -274,6 +287,32 @@ struct EmbreePacket<16> {
     static constexpr auto occluded = rtcOccluded16;
 };
 
+template <int width>
+void embree_intersect(const int* valid, RTCScene scene, EmbreeContext& context,
+                      typename EmbreePacket<width>::RayHit& rays) {
+#if DRT_EMBREE_MAJOR >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    EmbreePacket<width>::intersect(valid, scene, &rays, &arguments);
+#else
+    EmbreePacket<width>::intersect(valid, scene, &context, &rays);
+#endif
+}
+
+template <int width>
+void embree_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
+                     typename EmbreePacket<width>::Ray& rays) {
+#if DRT_EMBREE_MAJOR >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    EmbreePacket<width>::occluded(valid, scene, &rays, &arguments);
+#else
+    EmbreePacket<width>::occluded(valid, scene, &context, &rays);
+#endif
+}
+
 template <class Real, class EmbreeRay>
 void fill_ray(EmbreeRay& e, const RayPacket<Real>& r, const typename Pack<Real>::R& tmax) {
     using F = typename Pack<Real>::F;
@@ -462,7 +501,7 @@ void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, 
     hits.t = rays.tmax;
     hits.body = I(far_body);
     Query<Real> q;
-    rtcInitIntersectContext(&q.embree);
+    init_context(&q.embree);
     q.rays = &rays;
     q.hits = &hits;
     q.tmin = coincidence_distance(rays);
@@ -473,7 +512,7 @@ void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, 
         fill_ray(e.ray, rays, hits.t);
         store(typename P::U(RTC_INVALID_GEOMETRY_ID), e.hit.geomID);
         store(select(mask_cast<I>(active), I(-1), I(0)), valid);
-        Embree::intersect(valid, impl_->scene, &q.embree, &e);
+        embree_intersect<P::width>(valid, impl_->scene, q.embree, e);
     }
     hits.body = select(hits.body == I(far_body), I(no_body), hits.body);
 }
@@ -487,7 +526,7 @@ typename Pack<Real>::Mask Accel<Real>::occluded(const RayPacket<Real>& rays, con
     using Embree = EmbreePacket<P::width>;
     auto active = reject_bad(rays, counters);
     Query<Real> q;
-    rtcInitIntersectContext(&q.embree);
+    init_context(&q.embree);
     q.rays = &rays;
     q.tmin = coincidence_distance(rays);
     q.exclude = exclude;
@@ -498,7 +537,7 @@ typename Pack<Real>::Mask Accel<Real>::occluded(const RayPacket<Real>& rays, con
         alignas(64) int valid[P::width];
         fill_ray(e, rays, rays.tmax);
         store(select(mask_cast<I>(active), I(-1), I(0)), valid);
-        Embree::occluded(valid, impl_->scene, &q.embree, &e);
+        embree_occluded<P::width>(valid, impl_->scene, q.embree, e);
         blocked = blocked || (active && load<F>(e.tfar) < F(0));
     }
     return blocked;
