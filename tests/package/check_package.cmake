@@ -13,8 +13,9 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
-foreach(program drt-render drt-convert)
-  run(${WORK_DIR}/prefix/bin/${program} --version)
+file(GLOB programs ${WORK_DIR}/prefix/bin/*)
+foreach(program IN LISTS programs)
+  run(${program} --version)
 endforeach()
 
 set(flags "")
