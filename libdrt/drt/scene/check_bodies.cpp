@@ -43,7 +43,7 @@ void check_shape(Report& report, const ScenePath& at, const Cylinder& c) {
 // ---- what goes with which shape ------------------------------------------------------------------------------------
 
 template <class T>
-constexpr bool carries_texture =
+constexpr bool can_carry_texture =
     !std::is_same_v<T, Triangle> && !std::is_same_v<T, Disc> && !std::is_same_v<T, SphereSet>;
 
 std::string shape_name(const Shape& shape) {
@@ -51,7 +51,7 @@ std::string shape_name(const Shape& shape) {
 }
 
 bool is_textured_badly(const Shape& shape) {
-    return std::visit([](const auto& s) { return !carries_texture<std::remove_cvref_t<decltype(s)>>; }, shape);
+    return std::visit([](const auto& s) { return !can_carry_texture<std::remove_cvref_t<decltype(s)>>; }, shape);
 }
 
 void check_physics(Report& report, const ScenePath& at, const Body& body) {
@@ -66,24 +66,11 @@ void check_physics(Report& report, const ScenePath& at, const Body& body) {
         report.warning(here / "impulses", "impulses have no effect on a fixed body");
 }
 
-using MaterialIndex = std::unordered_map<std::string_view, const Material*>;
-
-std::string suggest_material(const std::string& word, const SceneDesc& scene) {
-    std::vector<std::string_view> names;
-    for (const Material& m : scene.materials) names.push_back(m.name);
-    return nearest_word(word, names);
-}
-
-void check_material_of(Report& report, const ScenePath& at, const SceneDesc& scene, const MaterialIndex& materials,
-                       const Body& body) {
-    const auto found = materials.find(body.material);
+void check_material_of(Report& report, const ScenePath& at, const NameIndex<Material>& materials, const Body& body) {
     if (body.material.empty())
-        report.error(at / "material", "body without a material", {}, "the name of a material");
-    else if (found == materials.end())
-        report.error(at / "material", "unknown material", body.material,
-                     materials.empty() ? "a material of this scene, which has none" : "the name of a material",
-                     suggest_material(body.material, scene));
-    else if (!found->second->texture.empty() && is_textured_badly(body.shape))
+        return report.error(at / "material", "body without a material", {}, "the name of a material");
+    const Material* material = materials.find(report, at / "material", body.material);
+    if (material && !material->texture.empty() && is_textured_badly(body.shape))
         report.error(at / "material", "a " + shape_name(body.shape) + " cannot carry the texture of its material",
                      body.material,
                      "a material without texture; textures go on plane, rectangle, parallelogram, box, sphere and "
@@ -95,14 +82,13 @@ void check_material_of(Report& report, const ScenePath& at, const SceneDesc& sce
 void check_bodies(Report& report, const SceneDesc& scene) {
     const ScenePath root, list = root / "bodies";
     check_unique_names(report, list, scene.bodies);
-    MaterialIndex materials;
-    for (const Material& m : scene.materials) materials.try_emplace(m.name, &m);
+    const NameIndex materials(scene.materials);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const Body& body = scene.bodies[i];
         const ScenePath at = list[i];
         if (check_fields(report, at, body))
             std::visit([&](const auto& shape) { check_shape(report, at, shape); }, body.shape);
-        check_material_of(report, at, scene, materials, body);
+        check_material_of(report, at, materials, body);
         if (body.motion) check_motion(report, at / "motion", *body.motion);
         if (body.motion && std::holds_alternative<SphereSet>(body.shape))
             report.error(at / "motion", "a sphere_set cannot move", {}, "single spheres");

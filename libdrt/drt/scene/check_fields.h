@@ -1,6 +1,7 @@
 #pragma once
 // Every single value of a struct against the table of its fields. Internal to the scene room.
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -71,6 +72,37 @@ bool check_fields(Report& report, const ScenePath& at, const T& object) {
     check_value(report, at, FieldInfo{}, object);
     return report.errors == before;
 }
+
+/// The elements of a list by name, for references to them.
+template <class T>
+class NameIndex {
+public:
+    explicit NameIndex(const std::vector<T>& list) {
+        for (const T& element : list) elements_.try_emplace(element.name, &element);
+    }
+
+    /// The element of that name; or null, and an error.
+    const T* find(Report& report, const ScenePath& at, const std::string& name) const {
+        if (const auto it = elements_.find(name); it != elements_.end()) return it->second;
+        const std::string kind(Fields<T>::name);
+        report.error(at, "unknown " + kind, name,
+                     elements_.empty() ? "a " + kind + " of this scene, which has none" : "the name of a " + kind,
+                     report.errors < most_suggestions ? nearest_word(name, names()) : std::string{});
+        return nullptr;
+    }
+
+private:
+    static constexpr std::size_t most_suggestions = 100;  // they take time, and nobody reads more
+
+    std::vector<std::string_view> names() const {
+        std::vector<std::string_view> out;
+        for (const auto& [name, element] : elements_) out.push_back(name);
+        std::sort(out.begin(), out.end());  // of equally near ones the same in every run
+        return out;
+    }
+
+    std::unordered_map<std::string_view, const T*> elements_;
+};
 
 /// Names must not occur twice in a list. Elements without a name are fine.
 template <class T>
