@@ -43,6 +43,11 @@ std::string snippet(std::string_view text, std::size_t offset) {
     return printable(rest.substr(0, std::min<std::size_t>(rest.find_first_of("\r\n"), 40)));
 }
 
+std::string word_at(std::string_view text, std::size_t offset) {
+    const std::string_view rest = text.substr(std::min(offset, text.size()));
+    return printable(rest.substr(0, rest.find_first_of(" \t\r\n,]}")));
+}
+
 std::string printable(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::string out;

@@ -24,6 +24,9 @@ Location location_in(const std::string& file, std::string_view text, std::size_t
 /// What follows `offset` on its line, cut to a length that fits into a message.
 std::string snippet(std::string_view text, std::size_t offset);
 
+/// The word that begins at `offset`.
+std::string word_at(std::string_view text, std::size_t offset);
+
 /// `text` fit for one line of a message: control characters as \xNN, cut to 60 bytes.
 std::string printable(std::string_view text);
 

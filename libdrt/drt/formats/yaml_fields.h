@@ -62,8 +62,9 @@ inline void check_unknown_keys(YamlContext& context, const YamlNode& mapping, co
 }
 
 inline void report_missing(YamlContext& context, const YamlNode& mapping, const FieldInfo& info,
-                           const std::string& expected) {
-    context.error(mapping, "missing key", std::string(info.name), expected);
+                           std::string_view meaning) {
+    const std::string name(info.name);
+    context.error(mapping, "missing key", name, '`' + name + ": ...`, " + std::string(meaning));
 }
 
 // ---- values made of values -----------------------------------------------------------------------------------------
@@ -95,7 +96,7 @@ void inherit(YamlContext& context, const YamlNode& node, const std::vector<V>& l
             if (!list.empty())
                 item.*entry.member = list.back().*entry.member;
             else if (node.kind == YamlNode::Kind::mapping && !find_value(node, entry.info.name))
-                report_missing(context, node, entry.info, std::string(entry.info.doc));
+                report_missing(context, node, entry.info, entry.info.doc);
         }
     });
 }
@@ -105,7 +106,7 @@ template <class V>
 bool read_value(YamlContext& context, const YamlNode& node, const ScenePath& at, const FieldInfo& info,
                 std::vector<V>& list) {
     if (node.kind != YamlNode::Kind::list) {
-        context.wrong_kind(node, info, "a list, [] for an empty one");
+        context.wrong_kind(node, info, "a list: `- ` before each item, or [] for none");
         return false;
     }
     context.note_place(at, node);
@@ -126,7 +127,7 @@ void read_entry(YamlContext& context, const YamlNode& mapping, const ScenePath& 
     if (const YamlNode* value = find_value(mapping, f.info.name))
         read_value(context, *value, at / f.info.name, f.info, object.*f.member);
     else if (f.info.presence == Presence::required)
-        report_missing(context, mapping, f.info, std::string(f.info.doc));
+        report_missing(context, mapping, f.info, f.info.doc);
 }
 
 template <class T, class Start, class End>
@@ -191,11 +192,11 @@ void append_alternative_keys(Keys& keys, std::string& what, const YamlNode& mapp
     const YamlNode* type = find_value(mapping, f.info.name);
     const Keys names = type_names<Variant>();
     const bool known = type && std::find(names.begin(), names.end(), type->text) != names.end();
-    if (known) what += " of type " + type->text;
+    if (known) what += " " + type->text;
     for_each_alternative<Variant>([&]<class A>() {
         if (known && Fields<A>::name != type->text) return;
-        const Keys more = keys_of<A>();
-        keys.insert(keys.end(), more.begin(), more.end());
+        for (const std::string_view key : keys_of<A>())
+            if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
     });
 }
 template <class Entry>
@@ -208,18 +209,18 @@ void read_fields(YamlContext& context, const YamlNode& mapping, const ScenePath&
     static const Keys own = keys_of<T>();
     Keys known = extra;
     known.insert(known.end(), own.begin(), own.end());
-    std::string what = "a " + std::string(Fields<T>::name);
+    std::string what(Fields<T>::name);
     for_each_field<T>([&](const auto& entry) { append_alternative_keys(known, what, mapping, entry); });
     check_unknown_keys(context, mapping, known, what);
 }
 
 template <HasFields T>
 bool read_value(YamlContext& context, const YamlNode& node, const ScenePath& at, const FieldInfo& info, T& object) {
+    context.note_place(at, node);
     if (node.kind != YamlNode::Kind::mapping) {
-        context.wrong_kind(node, info, "the keys of a " + std::string(Fields<T>::name));
+        context.wrong_kind(node, info, "the keys of " + std::string(Fields<T>::name));
         return false;
     }
-    context.note_place(at, node);
     const std::size_t before = context.out.size();
     read_fields(context, node, at, object, {});
     return context.out.size() == before;

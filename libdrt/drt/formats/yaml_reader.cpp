@@ -72,23 +72,24 @@ void SceneFiles::read_file_at(const std::string& path, const Location& named_at)
 
 void SceneFiles::report_unreadable(const std::string& path, const Location& named_at, const FileText& file) {
     has_whole_scene_ = false;
+    const std::string shown = named_at.line > 0 ? path : std::string{};  // the scene's own name is the place already
     if (file.too_large) {
         errors_.push_back({Severity::error,
                            named_at,
                            "the file is too large",
-                           path,
+                           shown,
                            "at most 64 MB; put very many balls into a sphere_set",
                            {}});
     } else {
         has_unreadable_file_ = true;
-        errors_.push_back({Severity::error, named_at, "cannot read the file (" + file.problem + ")", path, {}, {}});
+        errors_.push_back({Severity::error, named_at, "cannot read the file (" + file.problem + ")", shown, {}, {}});
     }
 }
 
 bool SceneFiles::check_version(YamlContext& context, const YamlNode& root) {
     const YamlNode* version = find_value(root, "drt");
     if (version && version->kind == YamlNode::Kind::scalar && version->text == "1") return true;
-    const std::string expected = "drt: 1, the version of this format";
+    const std::string expected = "`drt: 1`, the version of this format";
     if (!version)
         context.error(root, "missing key", "drt", expected);
     else
@@ -134,7 +135,8 @@ void SceneFiles::include(YamlContext& context, const YamlNode& name) {
     const std::string path = (context.directory / name.text).lexically_normal().string();
     const fs::path identity = identity_of(path);
     if (std::find(including_.begin(), including_.end(), identity) != including_.end())
-        context.error(name, "the file includes itself, directly or through others", printable(name.text));
+        context.error(name, "the file includes itself, directly or through others", printable(name.text),
+                      "a file that does not include this one");
     else if (including_.size() >= deepest_include)
         context.error(name, "includes too deep", printable(name.text), "at most 32 files that include each other");
     else if (!seen_.contains(identity))  // what two files include is there once

@@ -56,7 +56,8 @@ public:
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto found = anchored_.find(anchor);
         if (found == anchored_.end()) {  // yaml-cpp knows the anchor, so its node is still open: &a [*a]
-            error(mark, "an alias of the very list or mapping that it stands in", snippet(text_, offset(mark)), {});
+            error(mark, "an alias of the very list or mapping that it stands in", word_at(text_, offset(mark)),
+                  "an alias of something complete");
             throw Stop{};
         }
         if (int(open_.size()) + found->second.size.height > deepest) too_deep(mark);
@@ -153,7 +154,7 @@ private:
         if (parent.size.nodes <= most_nodes) return;
         const std::string expected = "at most 1e7 values, those of aliases counted each time";
         if (alias)
-            error(*alias, "too many values", snippet(text_, offset(*alias)), expected);
+            error(*alias, "too many values", word_at(text_, offset(*alias)), expected);
         else
             error_at(node, "too many values", {}, expected);
         throw Stop{};
@@ -173,7 +174,7 @@ private:
 
     void check_tag(const YAML::Mark& mark, const std::string& tag) {
         if (tag != "?" && tag != "!" && !tag.empty())
-            error(mark, "tags are not supported", snippet(text_, offset(mark)), "a value without a tag");
+            error(mark, "tags are not supported", word_at(text_, offset(mark)), "a value without a tag");
     }
 
     void check_keys(const YamlNode& mapping);
@@ -241,16 +242,19 @@ const SyntaxHelp syntax_help[] = {
     {YAML::ErrorMsg::FLOW_END, "a closing bracket without an opening one", "a value"},
     {YAML::ErrorMsg::EOF_IN_SCALAR, "a quote that is never closed", "a closing quote"},
     {YAML::ErrorMsg::UNKNOWN_TOKEN, "no value can begin with this character", "the value in quotes"},
+    {YAML::ErrorMsg::INVALID_ESCAPE, "an unknown escape in double quotes before this",
+     "\\\\ for a backslash, or single quotes"},
     {YAML::ErrorMsg::UNKNOWN_ANCHOR, "an alias of nothing", "the name of an anchor above"},
 };
 
 void TreeBuilder::syntax_error(const YAML::ParserException& e) {
-    const auto help = std::find_if(std::begin(syntax_help), std::end(syntax_help),
-                                   [&](const SyntaxHelp& h) { return h.yaml_cpp == e.msg; });
+    const auto help = std::find_if(std::begin(syntax_help), std::end(syntax_help), [&](const SyntaxHelp& h) {
+        return std::string_view(e.msg).starts_with(h.yaml_cpp);
+    });
     if (help != std::end(syntax_help))
         error(e.mark, help->message, snippet(text_, offset(e.mark)), help->expected);
     else
-        error(e.mark, "not YAML: " + e.msg, snippet(text_, offset(e.mark)), {});
+        error(e.mark, "not YAML: " + e.msg, snippet(text_, offset(e.mark)), "YAML 1.2");
     if (long_quote_.line > 0)
         out_.push_back({Severity::note,
                         long_quote_,

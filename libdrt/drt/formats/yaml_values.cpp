@@ -1,5 +1,6 @@
 #include "drt/formats/yaml_values.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -130,8 +131,10 @@ bool read_integer(YamlContext& context, const YamlNode& node, const ScenePath& a
         return false;
     }
     if (number < low || number > high) {
+        FieldInfo limited = info;
+        limited.range = {.low = std::max(low, info.range.low), .high = std::min(high, info.range.high)};
         context.error(node, std::string(info.name) + " is out of range", printable(node.text),
-                      "an integer >= " + to_text(low) + " and <= " + to_text(high));
+                      expected_number("an integer", limited));
         return false;
     }
     value = T(number);
