@@ -12,11 +12,11 @@
 #include <span>
 #include <string>
 
+#include "apps/exit_codes.h"
+#include "apps/legacy_options.h"
 #include "drt/base/atomic_file.h"
 #include "drt/base/version.h"
 #include "drt/formats/formats.h"
-#include "exit_codes.h"
-#include "legacy_options.h"
 
 namespace drt {
 namespace {

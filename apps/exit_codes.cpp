@@ -1,4 +1,4 @@
-#include "exit_codes.h"
+#include "apps/exit_codes.h"
 
 namespace drt {
 

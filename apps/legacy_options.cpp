@@ -1,4 +1,4 @@
-#include "legacy_options.h"
+#include "apps/legacy_options.h"
 
 #include <charconv>
 #include <cmath>

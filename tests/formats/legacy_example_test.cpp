@@ -60,7 +60,7 @@ SceneDesc expected_example() {
     s.render.fps = 2;
     s.render.spp = 32 * 18;
     s.render.max_depth = 1;
-    s.render.filter = {Filter::Kind::point, 0.5, 1.0 / 3};
+    s.render.filter.kind = Filter::Kind::point;
     s.ambient_light = Color(0.12f);
     s.textures = {{"BallRed", DRT_TEST_DATA "/textures/ball_red.tga", Texture::ColorSpace::automatic}};
     s.materials = {ball_material(), table_material()};

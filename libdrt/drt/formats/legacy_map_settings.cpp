@@ -124,7 +124,7 @@ void map_legacy_settings(LegacyMapping& m) {
     r.max_depth = e.whole("recursion");
     // The n x n matrix is a Gaussian over the pixel (model.md section 3).
     if (e.whole("interpolate_samples") == 0)
-        r.filter = {Filter::Kind::point, 0.5, 1.0 / 3};
+        r.filter.kind = Filter::Kind::point;
     else
         r.filter = {Filter::Kind::gaussian, 0.5, 1.0 / 3};
     const bool lens = e.whole("dof_samples") > 0;

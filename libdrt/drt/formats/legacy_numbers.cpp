@@ -1,24 +1,22 @@
 #include "drt/formats/legacy_numbers.h"
 
 #include <cfloat>
-#include <charconv>
 #include <cmath>
+
+#include "drt/formats/number.h"
 
 namespace drt {
 
 LegacyNumber parse_legacy_number(std::string_view word) {
-    std::string_view digits = word;
-    // from_chars knows no leading plus; strtod, which the 2008 program used, does.
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-' && digits[1] != '+') digits.remove_prefix(1);
     LegacyNumber n;
-    const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), n.value);
-    if (code == std::errc::result_out_of_range) return {0, "the number is out of the range of a double"};
-    if (code != std::errc{} || end != digits.data() + digits.size()) {
-        const bool decimal_comma =
-            digits.find(',') != digits.npos && digits.find_first_not_of("+-0123456789,eE") == digits.npos;
-        return {0, decimal_comma ? "a decimal comma; the format has a decimal point" : "not a number"};
-    }
-    if (!std::isfinite(n.value)) return {0, "not a finite number"};
+    const NumberFault fault = parse_number(word, n.value);
+    if (fault == NumberFault::none) return n;
+    if (fault == NumberFault::out_of_range)
+        n.error = "the number is out of the range of a double";
+    else if (word.find(',') != word.npos && word.find_first_not_of("+-0123456789,eE") == word.npos)
+        n.error = "a decimal comma; the format has a decimal point";
+    else
+        n.error = "not a number";
     return n;
 }
 

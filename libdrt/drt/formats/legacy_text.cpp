@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <utility>
 
+#include "drt/formats/text_file.h"
 #include "drt/scene/utf8.h"
 
 namespace drt {
@@ -82,16 +80,10 @@ std::string read_legacy_file(const std::string& path) {
         d.message = message;
         throw Error(kind, Diagnostics{d});
     };
-    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) fail(ErrorKind::asset, std::string("cannot open the scene: ") + std::strerror(errno));
-    std::string bytes;
-    std::array<char, 1 << 16> block;
-    while (const size_t n = std::fread(block.data(), 1, block.size(), file.get())) {
-        bytes.append(block.data(), n);
-        if (bytes.size() > largest_legacy_file) fail(ErrorKind::scene, "the scene is larger than 64 MB");
-    }
-    if (std::ferror(file.get())) fail(ErrorKind::asset, std::string("cannot read the scene: ") + std::strerror(errno));
-    return bytes;
+    FileText file = read_file(path, largest_legacy_file);
+    if (file.too_large) fail(ErrorKind::scene, "the scene is larger than 64 MB");
+    if (!file.problem.empty()) fail(ErrorKind::asset, "cannot read the scene: " + file.problem);
+    return std::move(file.text);
 }
 
 std::string legacy_text(std::string bytes, LegacyReport& report) {
