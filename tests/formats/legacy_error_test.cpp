@@ -60,6 +60,9 @@ const Case cases[] = {
      "scene.txt:1:10: error: missing \"{\" after sphere a \"radius\"; expected \"{\"\n"},
     {"no_close_brace", "sphere a { radius 1\nplane b { }\n" + camera,
      "scene.txt:2:1: error: missing \"}\" of the sphere that begins at line 1 \"plane\"; expected \"}\"\n"},
+    {"no_close_brace_before_a_reference_kind",
+     "phong_info P { }\ntexture T { file a }\nmaterial_texture M { phong_info P\ntexture U { file b }\n" + camera,
+     "scene.txt:4:1: error: missing \"}\" of the material_texture that begins at line 3 \"texture\"; expected \"}\"\n"},
     {"no_close_brace_at_end", camera + "sphere a { radius 1\n",
      "scene.txt:3:1: error: missing \"}\" of the sphere that begins at line 2; expected \"}\"\n"},
     {"stray_close_brace", "plane a { } }\n" + camera,
@@ -219,7 +222,7 @@ std::string repeated(const std::string& what, size_t bytes) {
 }
 
 TEST(LegacyHostile, LargeNonsenseEndsSoon) {
-    constexpr size_t size = size_t(8) << 20;  // the bound is 64 MB; the time is linear
+    constexpr size_t size = size_t(4) << 20;  // the bound is 64 MB; the time is linear
     for (const char* what :
          {"{", "}", "a ", "sphere a {", "sphere a { position { 1 ", "x", "radius 1 ", "sphere ", "\n"})
         EXPECT_LT(seconds_of(repeated(what, size)), 1) << what;

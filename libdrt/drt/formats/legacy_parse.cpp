@@ -4,7 +4,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "drt/formats/legacy_defaults.h"
 #include "drt/formats/legacy_numbers.h"
 #include "drt/formats/legacy_tokens.h"
 
@@ -24,7 +26,7 @@ public:
     std::vector<LegacyElement> run() {
         while (tokens_.peek().kind != Kind::end && !report_.full()) top_level();
         ensure_settings();
-        report_defaults();
+        defaults_.tell(report_);
         return std::move(elements_);
     }
 
@@ -48,28 +50,24 @@ private:
     Components read_components(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name,
                                bool in_braces, std::array<double, 3>&);
     std::optional<std::string_view> read_word(const LegacyElementType&, const LegacyAttribute&, const LegacyToken&);
+    void read_reference(LegacyElement&, const LegacyAttribute&, const LegacyToken& name, LegacyValue&);
     bool value_is_missing(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name);
     void check_no_leftovers(const LegacyAttribute&);
     bool ends_body(const LegacyElementType&) const;
     bool begins_something(const LegacyElementType&) const;
     LegacyToken skip();
     void skip_block();
-    void fill_defaults(LegacyElement&);
-    void report_defaults();
 
     LegacyTokens tokens_;
     LegacyReport& report_;
     size_t skipped_ = 0;  // tokens, over the whole file
     std::vector<LegacyElement> elements_;
     std::map<std::pair<const LegacyElementType*, std::string_view>, LegacyPlace> defined_;
-
-    struct DefaultUse {
-        LegacyPlace first;
-        std::vector<std::string_view> names;  // some of them
-        size_t count = 0;
+    LegacyDefaults defaults_;
+    struct Start {
+        LegacyToken kind, name;
     };
-    // Keyed by places in the tables, which gives the notes the tables' order.
-    std::map<std::pair<const LegacyElementType*, const LegacyAttribute*>, DefaultUse> defaults_;
+    std::optional<Start> started_;  // an element whose kind and name have been read as an attribute
 };
 
 std::vector<std::string_view> element_names() {
@@ -91,6 +89,10 @@ std::vector<std::string_view> attribute_names(const LegacyElementType& type) {
 // ---- elements ------------------------------------------------------------------------------------------------------
 
 void Parser::top_level() {
+    if (started_) {
+        const Start start = *std::exchange(started_, std::nullopt);
+        return element(*find_legacy_element(start.kind.text), start.kind, start.name);
+    }
     const LegacyToken kind = tokens_.next();
     if (kind.kind != Kind::word) {
         report_.error(place_of(kind), "a brace outside of any element", kind.text, "an element: kind name { ... }");
@@ -115,7 +117,7 @@ void Parser::element(const LegacyElementType& type, const LegacyToken& kind, con
     LegacyElement e = body(type, place_of(kind));
     e.name = name.text;
     e.name_place = place_of(name);
-    fill_defaults(e);
+    defaults_.fill(e, report_);
     if (!name.text.empty()) {
         const auto [it, is_new] = defined_.try_emplace({&type, name.text}, e.name_place);
         if (!is_new) {
@@ -160,12 +162,12 @@ bool Parser::open_body(const LegacyElementType& type, std::string_view what, con
 LegacyElement Parser::body(const LegacyElementType& type, LegacyPlace place) {
     LegacyElement e{&type, {}, place, place, std::vector<LegacyValue>(type.attributes.size())};
     while (!report_.full()) {
-        const LegacyToken t = tokens_.peek();
+        const LegacyToken t = started_ ? started_->kind : tokens_.peek();
         if (t.kind == Kind::close) {
             tokens_.next();
             break;
         }
-        if (t.kind == Kind::end || ends_body(type)) {
+        if (t.kind == Kind::end || started_ || ends_body(type)) {
             report_.error(
                 place_of(t),
                 "missing \"}\" of the " + std::string(type.name) + " that begins at line " + std::to_string(place.line),
@@ -223,7 +225,7 @@ void Parser::ensure_settings() {
     for (const LegacyElement& e : elements_)
         if (e.type == type) return;
     LegacyElement e{type, {}, {}, {}, std::vector<LegacyValue>(type->attributes.size())};
-    fill_defaults(e);
+    defaults_.fill(e, report_);
     elements_.push_back(std::move(e));
 }
 
@@ -297,13 +299,15 @@ void Parser::read_value(LegacyElement& e, const LegacyAttribute& a, const Legacy
             }
             break;
         case LegacyType::word:
-        case LegacyType::reference:
             if (const auto word = read_word(*e.type, a, name)) value.data = *word;
+            break;
+        case LegacyType::reference:
+            read_reference(e, a, name, value);
             break;
         case LegacyType::event: {
             if (!open_body(legacy_force_event(), name.text, name)) break;
             LegacyElement event = body(legacy_force_event(), place_of(name));
-            fill_defaults(event);
+            defaults_.fill(event, report_);
             if (auto* list = std::get_if<std::vector<LegacyElement>>(&value.data))
                 list->push_back(std::move(event));
             else
@@ -349,6 +353,19 @@ std::optional<std::string_view> Parser::read_word(const LegacyElementType& type,
                                                   const LegacyToken& name) {
     if (value_is_missing(type, a, name)) return {};
     return tokens_.next().text;
+}
+
+/// `texture X` is an attribute, `texture X {` the next element after a forgotten closing brace.
+void Parser::read_reference(LegacyElement& e, const LegacyAttribute& a, const LegacyToken& name, LegacyValue& value) {
+    const LegacyToken word = tokens_.peek();
+    const auto referred = read_word(*e.type, a, name);
+    if (!referred) return;
+    if (tokens_.peek().kind == Kind::open && find_legacy_element(name.text)) {
+        started_ = Start{name, word};
+        value = {};
+    } else {
+        value.data = *referred;
+    }
 }
 
 std::optional<Vec3d> Parser::read_vector(const LegacyElementType& type, const LegacyAttribute& a,
@@ -401,54 +418,6 @@ void Parser::check_no_leftovers(const LegacyAttribute& a) {
         const LegacyToken t = skip();
         if (!told) report_.error(place_of(t), "too many numbers after " + quote(a.name), t.text, legacy_expectation(a));
         told = true;
-    }
-}
-
-// ---- defaults ------------------------------------------------------------------------------------------------------
-
-LegacyData fallback_data(const LegacyAttribute& a) {
-    LegacyTokens words(a.fallback);
-    std::vector<double> numbers;
-    while (words.peek().kind == Kind::word) {
-        const LegacyNumber n = parse_legacy_number(words.next().text);
-        if (!n.error.empty()) return {};
-        numbers.push_back(n.value);
-    }
-    if (numbers.size() == 1) return numbers[0];
-    if (numbers.size() != 3) return {};
-    const Vec3d v{numbers[0], numbers[1], numbers[2]};
-    if (a.repeats) return std::vector<Vec3d>{v};
-    return v;
-}
-
-void Parser::fill_defaults(LegacyElement& e) {
-    for (size_t i = 0; i < e.values.size(); ++i) {
-        const LegacyAttribute& a = e.type->attributes[i];
-        LegacyValue& value = e.values[i];
-        if (!std::holds_alternative<std::monostate>(value.data)) continue;
-        value.data = fallback_data(a);
-        if (!value.spelled.empty()) continue;  // it was given, and its error has been told
-        if (value.place.line == 0) value.place = e.place;
-        if (a.required)
-            report_.error(e.place, "the " + std::string(e.type->name) + " has no " + quote(a.name), e.name,
-                          legacy_expectation(a));
-        if (a.fallback.empty()) continue;
-        DefaultUse& use = defaults_[{e.type, &a}];
-        if (use.count++ == 0) use.first = e.place;
-        if (use.names.size() < 4 && !e.name.empty()) use.names.push_back(e.name);
-    }
-}
-
-void Parser::report_defaults() {
-    for (const auto& [where, use] : defaults_) {
-        std::string message = "default used: " + std::string(where.first->name) + ' ' +
-                              std::string(where.second->name) + " = " + std::string(where.second->fallback);
-        for (size_t i = 0; i < use.names.size(); ++i)
-            message += (i == 0 ? " (" : ", ") + std::string(use.names[i].substr(0, 64));
-        if (use.names.size() < use.count && !use.names.empty())
-            message += " and " + std::to_string(use.count - use.names.size()) + " more";
-        if (!use.names.empty()) message += ')';
-        report_.note(use.first, message);
     }
 }
 
