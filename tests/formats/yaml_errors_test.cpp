@@ -225,6 +225,8 @@ const std::vector<Case> number_cases{
      head + "render:\n"
             "  fps: 1,5\n",
      "bad.yaml:4:8: error: fps is not a number \"1,5\"; expected a number > 0; did you mean \"1.5\"?"},
+    {"decimal_comma_in_braces", head + "render: {fps: 1,5}\n",
+     "bad.yaml:3:17: error: unknown key \"5\"; expected a point, not a comma, in a decimal number"},
     {"comma_in_vector", head + "gravity: [0, -9,81, 0]\n",
      "bad.yaml:3:10: error: gravity has 4 components; expected [x, y, z]"},
     {"octal", head + "render: {width: 010}\n",

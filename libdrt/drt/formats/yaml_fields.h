@@ -47,6 +47,11 @@ Keys type_names() {
     return names;
 }
 
+/// {radius: 1,5} is YAML for {radius: 1, 5: null}.
+inline bool is_rest_of_number(const YamlNode& key, const YamlNode& value) {
+    return value.kind == YamlNode::Kind::null && key.text.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// Reports the keys of a mapping that are not in `known`. `what` is whose keys they should be.
 inline void check_unknown_keys(YamlContext& context, const YamlNode& mapping, const Keys& known,
                                const std::string& what) {
@@ -54,6 +59,10 @@ inline void check_unknown_keys(YamlContext& context, const YamlNode& mapping, co
         const YamlNode& key = *mapping.items[i];
         if (key.kind != YamlNode::Kind::scalar || key.text == "<<") continue;  // reported by the parser
         if (std::find(known.begin(), known.end(), key.text) != known.end()) continue;
+        if (is_rest_of_number(key, *mapping.items[i + 1])) {
+            context.error(key, "unknown key", key.text, "a point, not a comma, in a decimal number");
+            continue;
+        }
         const std::string suggestion = context.suggest(key.text, known);
         const std::string expected = "a key of " + what;
         context.error(key, "unknown key", printable(key.text),
