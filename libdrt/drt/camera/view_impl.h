@@ -19,7 +19,7 @@ Vec3<T> bezier(const std::vector<Vec3<ScalarOf<T>>>& points, const T& s) {
         term = term * s * T(Real(degree - i + 1) / Real(i));
         sum = (sum + Vec3<T>(points[i]) * term) * r;
     }
-    return sum + Vec3<T>(points[degree]) * (term * s);
+    return sum + Vec3<T>(points[degree]) * (term * s * T(1 / Real(degree)));
 }
 
 template <class T>
