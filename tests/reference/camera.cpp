@@ -8,11 +8,19 @@
 namespace drt::reference {
 namespace {
 
-/// Share of the camera's video interval that has passed, in [0, 1]; 0 for an interval without end.
+/// Share of the camera's video interval that has passed; 0 for an interval without end. An exposure that runs past
+/// the interval's end goes on at the same pace, so beyond 1.
 double progress(const Camera& camera, double video_time) {
     if (!camera.video_end || *camera.video_end <= camera.video_start) return 0;
-    const double s = (video_time - camera.video_start) / (*camera.video_end - camera.video_start);
-    return std::clamp(s, 0.0, 1.0);
+    return (video_time - camera.video_start) / (*camera.video_end - camera.video_start);
+}
+
+/// Implicit at both ends, the focus follows the target. Implicit at the start only, it leaves from the first target.
+double focus_at(const Camera& camera, double s, double target_distance) {
+    const Lens& lens = camera.lens;
+    if (!lens.focus_start && !lens.focus_end) return target_distance;
+    const double start = lens.focus_start.value_or(length(camera.targets.front() - camera.positions.front()));
+    return start * (1 - s) + lens.focus_end.value_or(start) * s;
 }
 
 Vec3d bezier(std::vector<Vec3d> points, double s) {  // de Casteljau
@@ -93,9 +101,7 @@ Ray camera_ray(const Camera& camera, double video_time, double x, double y, int 
     if (lens.aperture_radius == 0) return {view.eye, normalize(through)};
     // plane: `through` is at distance 1 along the view direction; sphere: distance along the ray itself.
     const Vec3d unit = lens.focus_surface == Lens::FocusSurface::plane ? through : normalize(through);
-    // An implicit focus follows the target.
-    const double focus = mix(lens.focus_start.value_or(view.target_distance), lens.focus_end, s);
-    const Vec3d aim = view.eye + unit * focus;
+    const Vec3d aim = view.eye + unit * focus_at(camera, s, view.target_distance);
     const Vec2d p = random.disc(lens.distribution == Lens::Distribution::radial);
     const Vec3d origin = view.eye + (view.right * p.x + view.up * p.y) * lens.aperture_radius;
     return {origin, normalize(aim - origin)};

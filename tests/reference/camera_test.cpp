@@ -37,8 +37,9 @@ TEST(ReferenceCamera, PositionsAndTargetsAreBezierCurvesAndUpRolls) {
     EXPECT_NEAR(middle.direction.y / middle.direction.z, 0.125, 1e-12);
     const auto right = reference::camera_ray(camera, 3, 2, 1, 2, 2, random);  // up = x: right is -y
     EXPECT_LT(right.direction.y, 0.25 / 4);
-    const auto end = reference::camera_ray(camera, 99, 1, 1, 2, 2, random);  // clamped
-    EXPECT_EQ(end.origin.x, 2);
+    const auto past = reference::camera_ray(camera, 4, 1, 1, 2, 2, random);  // s = 3/2: the curves go on
+    EXPECT_NEAR(past.origin.x, 3, 1e-12);
+    EXPECT_NEAR(past.origin.y, 2 * 2 * 1.5 * -0.5, 1e-12);
 }
 
 TEST(ReferenceCamera, MotionTurnsTheWholeView) {
@@ -76,6 +77,7 @@ TEST(ReferenceCamera, SceneTime) {
     EXPECT_EQ(reference::scene_time(camera, 5), 13);
     camera.time_end = 8;  // reversed, half speed
     EXPECT_EQ(reference::scene_time(camera, 5), 8.5);
+    EXPECT_EQ(reference::scene_time(camera, 6.5), 7.75);  // an exposure past the end keeps its pace
 }
 
 /// A bright half-plane whose left edge goes from x = 0 to x = -1 during scene time 0 to 1; one pixel at `x` of it.

@@ -64,6 +64,18 @@ TEST(ReferenceLens, FocusGoesFromStartToEnd) {
     EXPECT_GT(render_pixel(scene, 100, 1, 49).mean, 0);
 }
 
+TEST(ReferenceLens, ImplicitStartOfTheFocusIsTheFirstTarget) {
+    SceneDesc scene = half_plane(3, 0.001, lens_of(0.2, 1));
+    Camera& camera = scene.cameras[0];
+    camera.lens.focus_start.reset();
+    camera.lens.focus_end = 4;
+    camera.targets = {{0, 0, -2}, {0, 0, -9}};  // the second does not matter
+    camera.video_end = 2;
+    scene.render.fps = 25;
+    EXPECT_EQ(render_pixel(scene, 100, 1, 25).mean, 0);  // half-way between 2 and 4
+    EXPECT_GT(render_pixel(scene, 100, 1, 0).mean, 0);
+}
+
 // The left pixel of two, off axis by 45 degrees: what is sharp there tells plane and sphere of focus apart.
 TEST(ReferenceLens, FocusSurfaces) {
     const auto left_pixel = [](Lens::FocusSurface surface, double distance, double edge) {
