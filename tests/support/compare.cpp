@@ -141,14 +141,23 @@ void append_worst_blocks(CompareResult& result) {
 
 }  // namespace
 
-PictureEstimate estimate_from_replicates(const Image& a, const Image& b) {
-    PictureEstimate estimate(a.width, a.height);
-    for (int y = 0; y < a.height; ++y) {
-        for (int x = 0; x < a.width; ++x) {
-            const float *p = a.pixel(x, y), *q = b.pixel(x, y);
-            const Rgb first{p[0], p[1], p[2]}, second{q[0], q[1], q[2]}, half = (first - second) * 0.5;
-            estimate.mean[estimate.index(x, y)] = (first + second) * 0.5;
-            estimate.variance[estimate.index(x, y)] = half * half;
+PictureEstimate estimate_from_replicates(const std::vector<Image>& replicates) {
+    const int width = replicates.front().width, height = replicates.front().height;
+    const double n = double(replicates.size());
+    PictureEstimate estimate(width, height);
+    estimate.freedom = n - 1;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const auto value = [&](const Image& image) {
+                const float* p = image.pixel(x, y);
+                return Rgb{p[0], p[1], p[2]};
+            };
+            Rgb sum, squares;
+            for (const Image& image : replicates) sum += value(image);
+            const Rgb mean = sum * (1 / n);
+            for (const Image& image : replicates) squares += (value(image) - mean) * (value(image) - mean);
+            estimate.mean[estimate.index(x, y)] = mean;
+            estimate.variance[estimate.index(x, y)] = squares * (1 / (n * (n - 1)));
         }
     }
     return estimate;

@@ -17,9 +17,9 @@
 
 namespace drt {
 
-/// The mean of two independent replicates of a picture (as the film keeps them; 3 or more channels, the first 3
-/// count), each of half the samples, with the variance of the mean told from their difference.
-PictureEstimate estimate_from_replicates(const Image& a, const Image& b);
+/// The mean of two or more independent replicates of a picture (as the film keeps them; 3 or more channels, the first
+/// 3 count), each of as many samples, with the variance of the mean told from their differences.
+PictureEstimate estimate_from_replicates(const std::vector<Image>&);
 
 struct CompareOptions {
     std::vector<int> blocks{8, 4};     ///< pixels along a block's side; small blocks see what cancels in large ones

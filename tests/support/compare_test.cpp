@@ -37,7 +37,7 @@ Image noisy(std::mt19937_64& random, double noise, double light = 1, double lobe
 
 PictureEstimate estimate(std::mt19937_64& random, double noise, double light = 1, double lobe = 1, double shift = 0) {
     const Image a = noisy(random, noise, light, lobe, shift), b = noisy(random, noise, light, lobe, shift);
-    return estimate_from_replicates(a, b);
+    return estimate_from_replicates({a, b});
 }
 
 /// Relative, of each replicate: about what one pixel of a soft shadow has at 64 stratified samples.
@@ -76,8 +76,8 @@ TEST(ComparePictures, FewFireflyPixelsPass) {
             image = noisy(random, 0.001);
             for (int k = 0; k < 10; ++k) image.pixel(5 + 5 * k, 30)[0] += float(5 * std::abs(normal(random)));
         }
-        alarms += !compare_pictures(estimate_from_replicates(images[0], images[1]),
-                                    estimate_from_replicates(images[2], images[3]))
+        alarms += !compare_pictures(estimate_from_replicates({images[0], images[1]}),
+                                    estimate_from_replicates({images[2], images[3]}))
                        .same;
     }
     EXPECT_EQ(alarms, 0);

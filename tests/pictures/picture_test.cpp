@@ -1,0 +1,33 @@
+#include "pictures/picture_test.h"
+
+#include <algorithm>
+#include <cctype>
+#include <ostream>
+
+#include "reference/reference.h"
+#include "support/compare.h"
+#include "support/render_picture.h"
+
+namespace drt {
+
+void expect_same_as_reference(const PictureCase& picture, const PlanOptions& options, int reference_spp,
+                              int render_spp) {
+    const SceneDesc& scene = picture.scene;
+    const PictureEstimate expected =
+        render_reference(scene, picture.frame, scene.render.width, scene.render.height, reference_spp, /*seed=*/1);
+    PlanOptions plan = options;
+    plan.frame = picture.frame;
+    const CompareResult result = compare_pictures(estimate_scene(scene, plan, render_spp), expected);
+    EXPECT_TRUE(result.same) << picture.name << ", drt and reference: " << result.report;
+}
+
+void PrintTo(const PictureCase& picture, std::ostream* out) { *out << picture.name; }
+
+std::string test_name(const ::testing::TestParamInfo<PictureCase>& info) {
+    std::string name = info.param.name;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return name;
+}
+
+}  // namespace drt

@@ -1,0 +1,41 @@
+#include "support/render_picture.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "support/compare.h"
+
+namespace drt {
+
+RenderResult render_scene(const SceneDesc& scene, const PlanOptions& plan, const RenderOptions& options) {
+    return render(compile(scene, plan), options);
+}
+
+PictureEstimate estimate_scene(const SceneDesc& scene, const PlanOptions& plan, int spp) {
+    if (spp % 2 != 0) throw std::invalid_argument("replicates of equal weight need an even number of samples");
+    constexpr std::uint32_t seeds = 4;
+    RenderOptions options;
+    options.spp = spp;
+    SceneDesc seeded = scene;
+    std::vector<Image> replicates;
+    for (std::uint32_t i = 0; i < seeds; ++i) {
+        seeded.render.seed = scene.render.seed + i;
+        const RenderResult result = render_scene(seeded, plan, options);
+        for (const int replicate : {0, 1}) replicates.push_back(resolve(result.film, replicate));
+    }
+    return estimate_from_replicates(replicates);
+}
+
+double largest_difference(const Image& a, const Image& b) {
+    if (a.data.size() != b.data.size()) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (size_t i = 0; i < a.data.size(); ++i) {
+        const double difference = std::abs(double(a.data[i]) - double(b.data[i]));
+        if (!(difference <= largest))
+            largest = std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+    }
+    return largest;
+}
+
+}  // namespace drt
