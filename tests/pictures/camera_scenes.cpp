@@ -151,6 +151,72 @@ PictureCase moving_camera(const std::string& folder) {
     return picture;
 }
 
+/// The same on a keyframed path and through a lens.
+PictureCase moving_lens(const std::string& folder) {
+    PictureCase picture = moving_camera(folder);
+    picture.name = "moving lens";
+    picture.scene.cameras[0].lens.aperture_radius = 0.15;
+    picture.scene.cameras[0].lens.focus_start = 4;
+    picture.scene.cameras[0].fov_degrees_end = 60;
+    picture.scene.cameras[0].video_end = 0.5;
+    return picture;
+}
+
+/// The last frame's exposure runs on past the camera's end: curves, bodies and all linear values keep their pace.
+PictureCase past_the_end() {
+    PictureCase picture{"exposure past the end", row()};
+    SceneDesc& scene = picture.scene;
+    scene.render.fps = 10;
+    picture.frame = 5;
+    scene.bodies[1].motion = Motion{Motion::Interpolation::linear, {key(-1, {-1.5, 0.5, 2.2}), key(1, {1.1, 0.9, 2.2})}};
+    Camera& camera = scene.cameras[0];
+    camera.positions = {{-0.6, 1.6, 5}, {0.2, 2.5, 5.5}, {0.6, 1.4, 4.6}};
+    camera.targets = {{0, 0.7, 0}, {0.4, 0.9, 0}};
+    camera.up_end = Vec3d{0.3, 1, 0};
+    camera.fov_degrees_end = 55;
+    camera.lens.aperture_radius = 0.05;
+    camera.lens.focus_end = 3.5;  // from the first target's distance
+    camera.video_end = 0.5;
+    camera.time_start = 0.9;  // twice as fast as the video, and backwards
+    camera.time_end = -0.1;
+    camera.shutter.duration = 0.2;
+    return picture;
+}
+
+/// Textured bodies of every kind that move by less than their pattern: the texture turns and shifts with them.
+PictureCase moving_textures(const std::string& folder) {
+    PictureCase picture{"moving textures", row()};
+    SceneDesc& scene = picture.scene;
+    scene.bodies.clear();
+    scene.materials.clear();
+    scene.ambient_light = Color(0.6f);
+    scene.textures = {Texture{"pattern", write_test_texture(folder), Texture::ColorSpace::linear}};
+    Material pattern = shiny(Color(0.5f));
+    pattern.texture = "pattern";
+    const auto scaled = [&](double u, double v) {
+        pattern.scale_u = u;
+        pattern.scale_v = v;
+        return pattern;
+    };
+    const auto swing = [](const Vec3d& from, const Vec3d& by, const Vec3d& axis, double degrees) {
+        return Motion{Motion::Interpolation::linear, {key(0, from), turning_key(0.2, from + by, axis, degrees)}};
+    };
+    add_moving(scene, "floor", Plane{}, scaled(9, 7), swing({0.3, 0, 0}, {0.5, 0.1, 0}, {0, 1, 0.05}, 8));
+    Box box;
+    box.size = {1.2, 0.9, 1};
+    add_moving(scene, "box", box, scaled(2, 2.4), swing({-1.6, 1, 0}, {0.1, 0.2, 0}, {1, 1, 0}, 30));
+    add_moving(scene, "pillar", Cylinder{{0, 0, 0}, {0, 1.4, 0}, 0.5, true}, scaled(1, 1.5),
+               swing({0, 1, 0}, {0, 0.1, 0.2}, {0.3, 1, 0}, -50));
+    add_moving(scene, "panel", Rectangle{{0, 0, 0}, {1.1, 0, 0}, {0, 1.3, 0}}, scaled(2.6, 2),
+               swing({1.7, 1.2, 0}, {0.2, 0, 0}, {0, 0.4, 1}, 35));
+    add_moving(scene, "sheet", Parallelogram{{0, 0, 0}, {1, 0.2, 0}, {0.2, 0.8, 0}}, scaled(2, 2),
+               swing({0.6, 2.4, -0.5}, {-0.3, 0, 0}, {0, 1, 0}, 25));
+    scene.cameras[0].shutter.duration = 0.2;
+    scene.cameras[0].shutter.switch_ratio = 0.3;
+    picture.tolerance = 2e-3;
+    return picture;
+}
+
 /// Nothing but edges, one picture a filter.
 PictureCase filter(const std::string& name, const Filter& f) {
     PictureCase picture{name, row()};
@@ -203,6 +269,9 @@ std::vector<PictureCase> camera_pictures(const std::string& folder) {
         other_shapes_in_motion(),
         reversed_slow_motion(folder),
         moving_camera(folder),
+        moving_lens(folder),
+        past_the_end(),
+        moving_textures(folder),
         filter("point filter", {Kind::point, 1.5, 0.5}),
         filter("wide box filter", {Kind::box, 1, 0.5}),
         filter("triangle filter", {Kind::triangle, 1, 0.5}),

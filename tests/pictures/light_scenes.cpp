@@ -1,5 +1,7 @@
 // Lights of every kind and what they cast shadows of.
 
+#include <string>
+
 #include "pictures/scene_kit.h"
 
 namespace drt {
@@ -107,6 +109,27 @@ PictureCase many_lights() {
     return picture;
 }
 
+/// A dozen visible rectangles and a dozen visible spheres of very different power over a dull mirror: chosen by power
+/// at every hit, seen by the lobes. One light is black.
+PictureCase many_visible_lights() {
+    PictureCase picture{"many visible lights", shadow_scene()};
+    SceneDesc& scene = picture.scene;
+    scene.render.max_depth = 2;
+    scene.materials[0].reflectance = 0.5;
+    scene.materials[0].reflection_spread_degrees = 8;
+    for (int i = 0; i < 12; ++i) {
+        const double x = (i % 4) * 1.3 - 2, z = double(i / 4) * 1.2 - 1.5;
+        const float power = i == 7 ? 0.0f : float(1 << (i % 5));
+        RectLight rect = lamp({x, 2.6, z}, 0.3);
+        rect.two_sided = i % 3 == 0;
+        scene.lights.push_back(light("rect" + std::to_string(i), rect, Color{0.5f, 0.4f, 0.2f} * power));
+        scene.lights.push_back(light("ball" + std::to_string(i), bulb({x + 0.6, 2.2, z}, 0.1, Distribution::uniform),
+                                     Color{0.2f, 0.5f, 0.6f} * power));
+    }
+    for (Light& l : scene.lights) l.visible = true;
+    return picture;
+}
+
 }  // namespace
 
 std::vector<PictureCase> light_pictures() {
@@ -124,6 +147,7 @@ std::vector<PictureCase> light_pictures() {
         visible_lights(),
         inside_a_light(),
         many_lights(),
+        many_visible_lights(),
     };
 }
 

@@ -17,7 +17,9 @@ void expect_same_as_reference(const PictureCase& picture, const PlanOptions& opt
         render_reference(scene, picture.frame, scene.render.width, scene.render.height, reference_spp, /*seed=*/1);
     PlanOptions plan = options;
     plan.frame = picture.frame;
-    const CompareResult result = compare_pictures(estimate_scene(scene, plan, render_spp), expected);
+    CompareOptions compare;
+    compare.absolute_tolerance = picture.tolerance;
+    const CompareResult result = compare_pictures(estimate_scene(scene, plan, render_spp), expected, compare);
     EXPECT_TRUE(result.same) << picture.name << ", drt and reference: " << result.report;
 }
 

@@ -8,7 +8,7 @@ namespace {
 class QuickPicture : public ::testing::TestWithParam<PictureCase> {};
 
 TEST_P(QuickPicture, IsTheReferences) {
-    constexpr int quicker = 16;
+    constexpr int quicker = 4;
     expect_same_as_reference(GetParam(), {}, GetParam().reference_spp / quicker, 32);
 }
 

@@ -14,6 +14,7 @@ struct PictureCase {
     int frame = 0;
     int reference_spp = 256;
     int render_spp = 128;
+    double tolerance = 1e-7;  ///< of the mean of a block: what drt's texture filter blurs and the reference does not
 };
 
 /// Shapes, lights and surfaces. `texture_folder` must exist; textures are written there.

@@ -79,6 +79,31 @@ PictureCase nested_glass() {
     return picture;
 }
 
+/// Air in glass in water in glass, one body overlapping three: most paths meet total reflection somewhere, and which
+/// index is beyond a surface depends on all that the path is inside of.
+PictureCase bubbles() {
+    PictureCase picture{"bubbles", simple_scene({0.2, 1.2, 4.5}, {0, 1, 0}, 40)};
+    SceneDesc& scene = picture.scene;
+    scene.render.max_depth = 10;
+    scene.background = {0.4f, 0.5f, 0.7f};
+    const auto clear = [](double index) {
+        Material m = glass(index, 0.97);
+        m.ambient = {0.1f, 0.25f, 0.15f};
+        return m;
+    };
+    add(scene, "floor", Plane{}, shiny({0.8f, 0.3f, 0.2f}));
+    add(scene, "block", turned_box({0, 1.1, 0}, {2.4, 1.9, 1.6}, 20), clear(1.7));
+    add(scene, "water", sphere({-0.4, 1.1, 0.1}, 0.6), clear(1.33));
+    add(scene, "core", sphere({-0.4, 1.1, 0.2}, 0.35), clear(2.2));
+    add(scene, "air", sphere({-0.4, 1.1, 0.25}, 0.15), clear(1));
+    add(scene, "across", Cylinder{{-0.6, 1.2, 0.4}, {1.6, 1, 0.2}, 0.2, true}, clear(1.1));  // out of the block's side
+    Material dull = clear(1);
+    dull.refraction_spread_degrees = 5;
+    add(scene, "hollow", sphere({0.7, 1.5, 0}, 0.3), dull);
+    scene.lights = {light("sun", PointLight{{3, 6, 5}}, Color(0.7f), Light::Falloff::none)};
+    return picture;
+}
+
 PictureCase mirrors() {
     PictureCase picture{"mirrors", simple_scene({0.4, 1.6, 5}, {0, 1, 0}, 55)};
     SceneDesc& scene = picture.scene;
@@ -142,8 +167,8 @@ PictureCase inside_glass() {
 }  // namespace
 
 std::vector<PictureCase> surface_pictures() {
-    return {shapes(),      glass_shapes(), nested_glass(), mirrors(), glossy_reflection(), glossy_refraction(),
-            inside_glass()};
+    return {shapes(),  glass_shapes(),      nested_glass(),      bubbles(),
+            mirrors(), glossy_reflection(), glossy_refraction(), inside_glass()};
 }
 
 }  // namespace drt

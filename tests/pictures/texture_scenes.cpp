@@ -25,21 +25,23 @@ SceneDesc textured_scene(const std::string& folder, Texture::ColorSpace color_sp
 
 PictureCase flat_textures(const std::string& folder) {
     PictureCase picture{"textures on flat shapes", textured_scene(folder, Texture::ColorSpace::linear)};
+    picture.tolerance = 1.5e-3;
     SceneDesc& scene = picture.scene;
-    add(scene, "floor", Plane{{0.3, 0, 0.2}, {0, 1, 0}}, textured(5, 4));
-    add(scene, "wall", Plane{{0, 1, -3}, {0.3, 0.1, 1}}, textured(6, 5));
-    add(scene, "rectangle", Rectangle{{-2.6, 0.2, 0}, {-0.8, 0.1, 0.4}, {-0.9, 1.9, 0.2}}, textured(2.5, 2));
-    add(scene, "parallelogram", Parallelogram{{-0.4, 0.3, 0.4}, {1, 0.2, 0}, {0.5, 1.4, 0}}, textured(1.5, 2.5));
+    add(scene, "floor", Plane{{0.3, 0, 0.2}, {0, 1, 0}}, textured(10, 8));
+    add(scene, "wall", Plane{{0, 1, -3}, {0.3, 0.1, 1}}, textured(12, 10));
+    add(scene, "rectangle", Rectangle{{-2.6, 0.2, 0}, {-0.8, 0.1, 0.4}, {-0.9, 1.9, 0.2}}, textured(5, 4));
+    add(scene, "parallelogram", Parallelogram{{-0.4, 0.3, 0.4}, {1, 0.2, 0}, {0.5, 1.4, 0}}, textured(3, 5));
     Box box;
     box.center = {2, 0.8, 0};
     box.size = {1.2, 1.4, 1};
     box.orientation = quat_from_axis_angle(normalize(Vec3d{0.2, 1, 0.1}), 0.7);
-    add(scene, "box", box, textured(1.7, 2));
+    add(scene, "box", box, textured(3.4, 4));
     return picture;
 }
 
 PictureCase round_textures(const std::string& folder) {
     PictureCase picture{"textures on round shapes", textured_scene(folder, Texture::ColorSpace::automatic)};
+    picture.tolerance = 1.5e-3;
     SceneDesc& scene = picture.scene;
     scene.render.max_depth = 1;
     add(scene, "floor", Plane{}, mirror(0.4));

@@ -44,7 +44,8 @@ void generate(StageContext<Real>& c) {
     const World<Real>& w = *c.world;
     RayBatch<Real>& b = *c.batch;
     View<R> view = cast<R>(w.view);
-    const float pixel_spread = float(w.view.pixel_size) * (filtered ? 0.5f : 1.0f);  // docs/images-and-textures.md
+    const bool point = w.filter.spec.kind == FilterKind::point;
+    const float pixel_spread = float(w.view.pixel_size) * (point ? 1.0f : 0.5f);  // docs/images-and-textures.md
     int slot = 0;
     for (int s = 0; s < c.samples; ++s) {
         const std::uint32_t sample = c.first_sample + std::uint32_t(s);
