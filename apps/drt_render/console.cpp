@@ -1,0 +1,129 @@
+#include "console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <osmium/util/progress_bar.hpp>
+
+namespace drt {
+
+namespace {
+
+constexpr size_t bar_units = 1000;
+constexpr double seconds_between_lines = 2;
+
+void print_line(const std::string& line) {
+    fmt::print(stderr, "{}\n", line);
+    std::fflush(stderr);
+}
+
+ProgressStyle resolve(ProgressStyle style, bool quiet) {
+    if (quiet) return ProgressStyle::none;
+    if (style != ProgressStyle::automatic) return style;
+    return isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::plain;
+}
+
+}  // namespace
+
+struct Console::Bar : osmium::ProgressBar {
+    Bar() : ProgressBar(bar_units, true) {}
+};
+
+Console::Console(bool quiet, bool verbose, ProgressStyle style)
+    : quiet_(quiet), verbose_(verbose), style_(resolve(style, quiet)) {}
+
+Console::~Console() = default;
+
+void Console::print(const Diagnostics& ds) {
+    for (const Diagnostic& d : ds)
+        if (!quiet_ && (verbose_ || d.severity != Severity::note)) print_line(to_string(d));
+}
+
+void Console::note(const std::string& line) {
+    if (!quiet_) print_line(line);
+}
+
+void Console::verbose(const std::string& line) {
+    if (verbose_ && !quiet_) print_line(line);
+}
+
+void Console::progress(const Progress& p) {
+    if (style_ == ProgressStyle::bar) {
+        if (!bar_) bar_ = std::make_unique<Bar>();
+        bar_->update(size_t(std::lround(p.fraction * bar_units)));
+    } else if (style_ == ProgressStyle::plain && p.seconds - last_line_ >= seconds_between_lines) {
+        last_line_ = p.seconds;
+        const double left = p.fraction > 0 ? p.seconds / p.fraction - p.seconds : 0;
+        print_line(fmt::format("progress {:.0f}%  {} spp  {:.0f} s, about {:.0f} s left", 100 * p.fraction, p.spp_done,
+                               p.seconds, left));
+    }
+}
+
+void Console::end_progress() {
+    if (bar_) {
+        bar_->remove();
+        bar_.reset();
+    }
+    last_line_ = 0;
+}
+
+std::string explain_text(const Explanation& explanation) {
+    std::string out;
+    for (const Decision& d : explanation)
+        out += fmt::format("{:10} {:24} {}\n", d.kept ? "kept" : "left out", d.what, d.why);
+    return out;
+}
+
+namespace {
+
+std::string rays_line(const RenderResult& r) {
+    const RenderCounters& c = r.counters;
+    const double all = double(c.camera_rays + c.scattered_rays + c.shadow_rays);
+    return fmt::format("rays: {:.3g} M camera, {:.3g} M scattered, {:.3g} M shadow; {:.3g} M rays/s on {} threads",
+                       double(c.camera_rays) * 1e-6, double(c.scattered_rays) * 1e-6, double(c.shadow_rays) * 1e-6,
+                       all * 1e-6 / std::max(r.seconds, 1e-9), r.threads);
+}
+
+std::string stages_line(const RenderResult& r) {
+    using Seconds = std::chrono::duration<double>;
+    Seconds total{0};
+    for (const auto t : r.stage_times.spent) total += t;
+    std::string out = fmt::format("stages ({:.2f} s of thread time):", total.count());
+    for (int k = 0; k < stage_kinds; ++k) {
+        const Seconds t = r.stage_times.spent[size_t(k)];
+        if (t.count() > 0) out += fmt::format(" {} {:.0f}%", name_of(StageKind(k)), 100 * t / total);
+    }
+    return out;
+}
+
+std::string faults(const RenderCounters& c) {
+    std::string out;
+    if (c.film.nonfinite > 0)
+        out += fmt::format("\nwarning: {} non-finite samples dropped, the first at pixel {},{} sample {}",
+                           c.film.nonfinite, c.film.first_nonfinite_x, c.film.first_nonfinite_y,
+                           c.film.first_nonfinite_sample);
+    if (c.film.clamped > 0)
+        out += fmt::format("\nwarning: {} samples brighter than {} were clamped", c.film.clamped, sample_limit);
+    if (c.trace.rejected > 0) out += fmt::format("\nwarning: {} rays were not traceable", c.trace.rejected);
+    if (c.media_overflows > 0)
+        out += fmt::format("\nwarning: {} times a path was inside more bodies than its media stack holds",
+                           c.media_overflows);
+    return out;
+}
+
+}  // namespace
+
+std::string summary(const RenderPlan& plan, const RenderResult& r, bool verbose) {
+    std::string out = fmt::format("{}: {} spp in {:.2f} s", describe(r.stopped_by), r.spp_done, r.seconds);
+    if (r.error.valid)
+        out += fmt::format(", estimated error {:.3g} % (RMSE {:.3g})", 100 * r.error.relative, r.error.rmse);
+    out += '\n' + rays_line(r);
+    out += fmt::format("\nmemory: scene {:.1f} MB, film {:.1f} MB", double(plan.memory) * 1e-6,
+                       double(r.film.memory()) * 1e-6);
+    if (verbose) out += '\n' + stages_line(r);
+    return out + faults(r.counters);
+}
+
+}  // namespace drt

@@ -1,0 +1,40 @@
+#pragma once
+// What a run prints: progress, notes, the summary. Everything goes to stderr, a flushed line at a time.
+
+#include <memory>
+#include <string>
+
+#include "drt/render/render.h"
+#include "options.h"
+
+namespace drt {
+
+class Console {
+public:
+    Console(bool quiet, bool verbose, ProgressStyle style);
+    ~Console();
+    Console(const Console&) = delete;
+    Console& operator=(const Console&) = delete;
+
+    /// Warnings always (unless quiet), notes when verbose.
+    void print(const Diagnostics&);
+    void note(const std::string& line);     ///< unless quiet
+    void verbose(const std::string& line);  ///< when verbose
+
+    void progress(const Progress&);
+    void end_progress();
+
+private:
+    struct Bar;
+    bool quiet_, verbose_;
+    ProgressStyle style_;
+    std::unique_ptr<Bar> bar_;
+    double last_line_ = 0;
+};
+
+std::string explain_text(const Explanation&);
+
+/// Samples, estimated error, rays by kind, rays per second, time per stage, memory.
+std::string summary(const RenderPlan&, const RenderResult&, bool verbose);
+
+}  // namespace drt
