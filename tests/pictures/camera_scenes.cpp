@@ -168,7 +168,8 @@ PictureCase past_the_end() {
     SceneDesc& scene = picture.scene;
     scene.render.fps = 10;
     picture.frame = 5;
-    scene.bodies[1].motion = Motion{Motion::Interpolation::linear, {key(-1, {-1.5, 0.5, 2.2}), key(1, {1.1, 0.9, 2.2})}};
+    scene.bodies[1].motion =
+        Motion{Motion::Interpolation::linear, {key(-1, {-1.5, 0.5, 2.2}), key(1, {1.1, 0.9, 2.2})}};
     Camera& camera = scene.cameras[0];
     camera.positions = {{-0.6, 1.6, 5}, {0.2, 2.5, 5.5}, {0.6, 1.4, 4.6}};
     camera.targets = {{0, 0.7, 0}, {0.4, 0.9, 0}};
