@@ -8,11 +8,11 @@ namespace drt {
 
 enum ExitCode : int {
     exit_ok = 0,
-    exit_internal = 1,  ///< a bug, or out of memory
-    exit_usage = 2,     ///< the command line is wrong
-    exit_scene = 3,     ///< the scene is invalid; every message has been printed
-    exit_input = 4,     ///< an input file is missing or unreadable
-    exit_output = 5,    ///< the output cannot be written
+    exit_internal = 1,     ///< a bug, or out of memory
+    exit_usage = 2,        ///< the command line is wrong
+    exit_scene = 3,        ///< the scene is invalid; every message has been printed
+    exit_input = 4,        ///< an input file is missing or unreadable
+    exit_output = 5,       ///< the output cannot be written
     exit_terminated = 75,  ///< stopped by SIGTERM; the picture so far has been written (EX_TEMPFAIL: try again)
 };
 

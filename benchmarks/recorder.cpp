@@ -44,20 +44,20 @@ void restore(const drt::RecordedPacket& p, Ray& r) {
 }  // namespace
 
 // A wrapper for each packet width; the renderer uses one of them with float geometry, and that one is recorded.
-#define DRT_WRAP(width)                                                                                             \
-    extern "C" {                                                                                                    \
-    void __real_rtcIntersect##width(const int*, RTCScene, RTCIntersectContext*, RTCRayHit##width*);                 \
-    void __real_rtcOccluded##width(const int*, RTCScene, RTCIntersectContext*, RTCRay##width*);                     \
-    void __wrap_rtcIntersect##width(const int* valid, RTCScene scene, RTCIntersectContext* context,                 \
-                                    RTCRayHit##width* rays) {                                                       \
-        if constexpr (drt::packet_width == width) record(valid, rays->ray, false);                                  \
-        __real_rtcIntersect##width(valid, scene, context, rays);                                                    \
-    }                                                                                                               \
-    void __wrap_rtcOccluded##width(const int* valid, RTCScene scene, RTCIntersectContext* context,                  \
-                                   RTCRay##width* rays) {                                                           \
-        if constexpr (drt::packet_width == width) record(valid, *rays, true);                                       \
-        __real_rtcOccluded##width(valid, scene, context, rays);                                                     \
-    }                                                                                                               \
+#define DRT_WRAP(width)                                                                             \
+    extern "C" {                                                                                    \
+    void __real_rtcIntersect##width(const int*, RTCScene, RTCIntersectContext*, RTCRayHit##width*); \
+    void __real_rtcOccluded##width(const int*, RTCScene, RTCIntersectContext*, RTCRay##width*);     \
+    void __wrap_rtcIntersect##width(const int* valid, RTCScene scene, RTCIntersectContext* context, \
+                                    RTCRayHit##width* rays) {                                       \
+        if constexpr (drt::packet_width == width) record(valid, rays->ray, false);                  \
+        __real_rtcIntersect##width(valid, scene, context, rays);                                    \
+    }                                                                                               \
+    void __wrap_rtcOccluded##width(const int* valid, RTCScene scene, RTCIntersectContext* context,  \
+                                   RTCRay##width* rays) {                                           \
+        if constexpr (drt::packet_width == width) record(valid, *rays, true);                       \
+        __real_rtcOccluded##width(valid, scene, context, rays);                                     \
+    }                                                                                               \
     }
 DRT_WRAP(4)
 DRT_WRAP(8)

@@ -33,6 +33,6 @@ endif()
 
 # Embree 3 and 4 differ in include folder and in how a query is told its context; who links embree must know which.
 if(TARGET embree)
-  string(REGEX MATCH "^[0-9]+" _drt_embree_major "${DRT_embree_VERSION}")
-  set_property(TARGET embree APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS DRT_EMBREE_MAJOR=${_drt_embree_major})
+  string(REGEX MATCH "^[0-9]+" DRT_EMBREE_MAJOR "${DRT_embree_VERSION}")
+  set_property(TARGET embree APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS DRT_EMBREE_MAJOR=${DRT_EMBREE_MAJOR})
 endif()

@@ -4,7 +4,7 @@
 #
 # Every violation is printed as file:line: message; any makes the script fail. The records are lines such as
 #   room scene floor=1 depends=base libraries=fmt::fmt
-#   folder apps/drt_render rooms=base,scene
+#   folder apps rooms=base,scene
 # Rules:
 #  - a room includes only itself and the rooms it names under DEPENDS; what those depend on does not count;
 #  - DEPENDS never names a room declared later (so there is no cycle) nor one of a higher floor;
@@ -112,7 +112,7 @@ foreach(room IN LISTS rooms)
 endforeach()
 
 foreach(folder IN LISTS folders)
-  file(GLOB files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.cpp)
+  file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${folder}/*.h ${SOURCE_DIR}/${folder}/*.cpp)
   foreach(file IN LISTS files)
     read_includes(${file} includes)
     foreach(include IN LISTS includes)

@@ -20,7 +20,7 @@ function(fresh_tree)
     "room base floor=0 depends= libraries=\n"
     "room scene floor=1 depends=base libraries=fmt::fmt\n"
     "room plan floor=3 depends=scene libraries=\n"
-    "folder apps/render rooms=base,scene\n")
+    "folder apps rooms=base,scene\n")
   file(WRITE ${WORK_DIR}/libdrt/drt/base/vec.h "#include <array>\n#include <experimental/simd>\n")
   file(WRITE ${WORK_DIR}/libdrt/drt/scene/scene.h "#include \"drt/base/vec.h\"\n")
   file(WRITE ${WORK_DIR}/libdrt/drt/scene/scene.cpp
@@ -58,7 +58,7 @@ expect("rooms include drt's headers by their full path" libdrt/drt/scene/scene.c
 expect("<fmt/format.h> in a room's header" libdrt/drt/scene/scene.h "#include <fmt/format.h>")
 expect("room scene does not name embree under LIBRARIES" libdrt/drt/scene/scene.cpp "#include <embree3/rtcore.h>")
 expect("<boost/any.hpp> is unknown" libdrt/drt/scene/scene.cpp "#include <boost/any.hpp>")
-expect("nothing built in apps/render links room plan" apps/render/main.cpp "#include \"drt/plan/plan.h\"")
+expect("nothing built in apps links room plan" apps/render/main.cpp "#include \"drt/plan/plan.h\"")
 expect("room low (floor 0) depends on scene (floor 1): nothing points up" records.txt
   "room low floor=0 depends=scene libraries=")
 expect("room left depends on right, which is not declared before it" records.txt
