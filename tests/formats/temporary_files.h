@@ -6,6 +6,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace drt {
 
@@ -13,7 +14,7 @@ class TemporaryFiles {
 public:
     TemporaryFiles() {
         const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string(info.test_suite_name()) + '.' + info.name();
+        std::string name = std::to_string(getpid()) + '_' + info.test_suite_name() + '.' + info.name();
         for (char& c : name)
             if (c == '/') c = '_';
         folder_ = std::filesystem::path(testing::TempDir()) / ("drt_" + name);

@@ -508,9 +508,11 @@ const std::vector<Case> camera_cases{
       "1"}},
     {"motion_and_curve",
      [](SceneDesc& s) {
-         s.cameras[0].positions.push_back({0, 0, 9}), s.cameras[0].video_end = 1, s.cameras[0].motion = two_keys();
+         s.cameras[0].positions.push_back({0, 0, 9}), s.cameras[0].targets.push_back({0, 1, 0});
+         s.cameras[0].video_end = 1, s.cameras[0].motion = two_keys();
      },
-     {"cameras[0].positions: warning: motion replaces the positions after the first"}},
+     {"cameras[0].positions: warning: motion replaces the positions after the first",
+      "cameras[0].targets: warning: motion replaces the targets after the first"}},
     {"overlap",
      [](SceneDesc& s) {
          s.cameras.push_back(s.cameras[0]);

@@ -103,6 +103,8 @@ void check_cameras(Report& report, const SceneDesc& scene) {
         check_interval(report, at, camera);
         if (camera.motion && camera.positions.size() > 1)
             report.warning(at / "positions", "motion replaces the positions after the first");
+        if (camera.motion && camera.targets.size() > 1)
+            report.warning(at / "targets", "motion replaces the targets after the first");
     }
     if (scene.cameras.empty()) report.error(list, "the scene has no camera", {}, "at least one");
     if (all_fine) check_overlaps(report, list, scene);
