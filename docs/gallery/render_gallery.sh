@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Renew the pictures of docs/gallery.md:  docs/gallery/render_gallery.sh [DRT_RENDER] [NAME...]
+#
+# DRT_RENDER is the program (default: the one on the PATH). With names (glossy-classic, carousel ...) only those pictures.
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")" && pwd)
+scenes=$here/../../scenes
+size=320x240
+program=${1:-drt-render}
+shift || true
+wanted=" $* "
+
+# render PICTURE SCENE [OPTION...]
+render() {
+    local picture=$1 scene=$2
+    shift 2
+    [[ $wanted == "  " || $wanted == *" $picture "* ]] || return 0
+    echo "$picture"
+    "$program" "$scenes/$scene" --quiet --resolution "$size" "$@" -o "$here/$picture.png"
+}
+
+for effect in glossy translucency shadows focus motion combined; do
+    for method in classic distributed; do
+        render "$effect-$method" "$effect-$method.yaml"
+    done
+done
+for scene in room textures billiard; do
+    render "$scene" "$scene.yaml"
+done
+for frame in 0 20 39 50; do
+    render "camera-move-$frame" camera-move.yaml --frame "$frame"
+done
+for frame in 0 8 16 24; do
+    render "turn-$frame" turn.yaml --frame "$frame"
+done
+render still-life legacy/still-life.txt
+render carousel legacy/carousel.txt --frame 10
+render manual-example legacy/manual-example.txt --frame 4
+render manual-example-lit legacy/manual-example-lit.txt --frame 4
+size=480x360
+render hero combined-distributed.yaml
