@@ -22,28 +22,36 @@ struct Color3 {
     Color3& operator*=(const Color3& o) { return *this = *this * o; }
     Color3& operator*=(const T& s) { return *this = *this * s; }
 
-    friend constexpr Color3 operator+(const Color3& a, const Color3& c) { return {a.r + c.r, a.g + c.g, a.b + c.b}; }
-    friend constexpr Color3 operator-(const Color3& a, const Color3& c) { return {a.r - c.r, a.g - c.g, a.b - c.b}; }
-    friend constexpr Color3 operator*(const Color3& a, const Color3& c) { return {a.r * c.r, a.g * c.g, a.b * c.b}; }
-    friend constexpr Color3 operator*(const Color3& a, const T& s) { return {a.r * s, a.g * s, a.b * s}; }
-    friend constexpr Color3 operator*(const T& s, const Color3& a) { return a * s; }
+    [[gnu::always_inline]] friend constexpr Color3 operator+(const Color3& a, const Color3& c) {
+        return {a.r + c.r, a.g + c.g, a.b + c.b};
+    }
+    [[gnu::always_inline]] friend constexpr Color3 operator-(const Color3& a, const Color3& c) {
+        return {a.r - c.r, a.g - c.g, a.b - c.b};
+    }
+    [[gnu::always_inline]] friend constexpr Color3 operator*(const Color3& a, const Color3& c) {
+        return {a.r * c.r, a.g * c.g, a.b * c.b};
+    }
+    [[gnu::always_inline]] friend constexpr Color3 operator*(const Color3& a, const T& s) {
+        return {a.r * s, a.g * s, a.b * s};
+    }
+    [[gnu::always_inline]] friend constexpr Color3 operator*(const T& s, const Color3& a) { return a * s; }
     friend bool operator==(const Color3& a, const Color3& c) requires std::is_arithmetic_v<T>
     = default;
 };
 
 template <class T>
-Color3<T> select(const MaskOf<T>& m, const Color3<T>& a, const Color3<T>& c) {
+[[gnu::always_inline]] inline Color3<T> select(const MaskOf<T>& m, const Color3<T>& a, const Color3<T>& c) {
     return {select(m, a.r, c.r), select(m, a.g, c.g), select(m, a.b, c.b)};
 }
 
 template <class T>
-T max_component(const Color3<T>& c) {
+[[gnu::always_inline]] inline T max_component(const Color3<T>& c) {
     return max(c.r, max(c.g, c.b));
 }
 
 /// Rec. 709 luminance.
 template <class T>
-T luminance(const Color3<T>& c) {
+[[gnu::always_inline]] inline T luminance(const Color3<T>& c) {
     return T(0.2126f) * c.r + T(0.7152f) * c.g + T(0.0722f) * c.b;
 }
 

@@ -14,7 +14,7 @@ struct Frame {
 
 /// Branch-free: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017. `z` must be a unit vector.
 template <class T>
-Frame<T> frame_around(const Vec3<T>& z) {
+[[gnu::always_inline]] inline Frame<T> frame_around(const Vec3<T>& z) {
     const T sign = select(z.z < T(0), T(-1), T(1));
     const T a = T(-1) / (sign + z.z);
     const T b = z.x * z.y * a;

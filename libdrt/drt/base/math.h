@@ -15,14 +15,14 @@ namespace drt {
 
 /// a * b + c, fused where the machine has it: the compiler contracts it.
 template <class T>
-T mul_add(const T& a, const T& b, const T& c) {
+[[gnu::always_inline]] inline T mul_add(const T& a, const T& b, const T& c) {
     return a * b + c;
 }
 
 namespace math_detail {
 
 template <class T, class F>
-T per_lane(const T& x, F f) {
+[[gnu::always_inline]] inline T per_lane(const T& x, F f) {
     if constexpr (!is_lane<T>)
         return f(x);
     else
@@ -30,7 +30,7 @@ T per_lane(const T& x, F f) {
 }
 
 template <class T, class F>
-T per_lane(const T& x, const T& y, F f) {
+[[gnu::always_inline]] inline T per_lane(const T& x, const T& y, F f) {
     if constexpr (!is_lane<T>)
         return f(x, y);
     else
@@ -42,7 +42,7 @@ inline constexpr bool is_float = std::is_same_v<ScalarOf<T>, float>;
 
 /// Horner's scheme; coefficients from the constant upwards.
 template <class T, class... C>
-T polynomial(const T& x, ScalarOf<T> c0, C... rest) {
+[[gnu::always_inline]] inline T polynomial(const T& x, ScalarOf<T> c0, C... rest) {
     if constexpr (sizeof...(rest) == 0)
         return T(c0);
     else
@@ -51,7 +51,7 @@ T polynomial(const T& x, ScalarOf<T> c0, C... rest) {
 
 /// 2^n for n in [-126, 127].
 template <class T>
-T power_of_two(const Rebind<T, std::int32_t>& n) {
+[[gnu::always_inline]] inline T power_of_two(const Rebind<T, std::int32_t>& n) {
     using I = Rebind<T, std::int32_t>;
     return bits_as<T>(I((n + I(127)) << 23));
 }
@@ -59,7 +59,7 @@ T power_of_two(const Rebind<T, std::int32_t>& n) {
 /// To the nearest integer, |x| < 2^22: adding 1.5 * 2^23 pushes the fraction out. Stays a float.
 inline constexpr float round_magic = 12582912.0f;
 template <class T>
-T round_small(const T& x) {
+[[gnu::always_inline]] inline T round_small(const T& x) {
     if constexpr (is_float<T>)
         return (x + T(round_magic)) - T(round_magic);
     else
@@ -67,7 +67,7 @@ T round_small(const T& x) {
 }
 
 template <class T>
-T copy_sign(const T& magnitude, const T& sign) {
+[[gnu::always_inline]] inline T copy_sign(const T& magnitude, const T& sign) {
     return select(sign < T(0), -magnitude, magnitude);
 }
 
@@ -75,7 +75,7 @@ T copy_sign(const T& magnitude, const T& sign) {
 
 /// {sin, cos} of 2 pi u, |u| < 2^20; exact zeros at multiples of a quarter. Float: error <= 2e-7; double: <= 4e-16.
 template <class T>
-std::pair<T, T> sincos_2pi(const T& u) {
+[[gnu::always_inline]] inline std::pair<T, T> sincos_2pi(const T& u) {
     using namespace math_detail;
     const T half_turns = round_small(T(u * T(2)));
     const T r = T(2) * u - half_turns;  // exact, in [-1/2, 1/2]
@@ -100,7 +100,7 @@ std::pair<T, T> sincos_2pi(const T& u) {
 
 /// e^x. Float: 1.5 ulp relative for results down to 2^-126, 0 below -104, +inf above 88.73.
 template <class T>
-T fast_exp(const T& x) {
+[[gnu::always_inline]] inline T fast_exp(const T& x) {
     using namespace math_detail;
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::exp(v); });
@@ -120,7 +120,7 @@ T fast_exp(const T& x) {
 
 /// e^x - 1, exact to the relative error also near 0. Float: 3 ulp.
 template <class T>
-T fast_expm1(const T& x) {
+[[gnu::always_inline]] inline T fast_expm1(const T& x) {
     using namespace math_detail;
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::expm1(v); });
@@ -134,7 +134,7 @@ T fast_expm1(const T& x) {
 namespace math_detail {
 /// log(1 + f) for f in [sqrt(1/2) - 1, sqrt(2) - 1].
 template <class T>
-T log1p_reduced(const T& f, const T& exponent) {
+[[gnu::always_inline]] inline T log1p_reduced(const T& f, const T& exponent) {
     const T f2 = f * f;
     const T p = polynomial(f, 0.3333333118f, -0.2499999696f, 0.2000071575f, -0.1666780232f, 0.1424905765f,
                            -0.1242568733f, 0.1168541992f, -0.1147973385f, 0.06971611471f);
@@ -144,7 +144,7 @@ T log1p_reduced(const T& f, const T& exponent) {
 
 /// x = m * 2^e, m in [sqrt(1/2), sqrt(2)); x normal and positive.
 template <class T>
-std::pair<T, T> split_exponent(const T& x) {
+[[gnu::always_inline]] inline std::pair<T, T> split_exponent(const T& x) {
     using I = Rebind<T, std::int32_t>;
     const I bits = bits_as<I>(x);
     const I e = (bits - I(0x3f3504f3)) >> 23;  // 0x3f3504f3 is sqrt(1/2)
@@ -155,7 +155,7 @@ std::pair<T, T> split_exponent(const T& x) {
 /// Natural logarithm of x >= 2^-126; -inf at (and below the normal numbers at) 0, NaN for x < 0. Float: 1.5 ulp
 /// relative.
 template <class T>
-T fast_log(const T& x) {
+[[gnu::always_inline]] inline T fast_log(const T& x) {
     using namespace math_detail;
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::log(v); });
@@ -171,7 +171,7 @@ T fast_log(const T& x) {
 
 /// log(1 + x), x > -1, with the relative error kept near 0. Float: 4 ulp.
 template <class T>
-T fast_log1p(const T& x) {
+[[gnu::always_inline]] inline T fast_log1p(const T& x) {
     using namespace math_detail;
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::log1p(v); });
@@ -184,7 +184,7 @@ T fast_log1p(const T& x) {
 /// wherever the result is in [1e-3, 1e3]. Near base 1 the rounding of `base` itself, exponent * 2^-25, dominates: use
 /// pow_one_minus.
 template <class T>
-T fast_pow(const T& base, const T& exponent) {
+[[gnu::always_inline]] inline T fast_pow(const T& base, const T& exponent) {
     using namespace math_detail;
     if constexpr (!is_float<T>)
         return per_lane(base, exponent, [](double b, double e) { return std::pow(b, e); });
@@ -196,21 +196,21 @@ T fast_pow(const T& base, const T& exponent) {
 /// without cancellation (|r - l|^2 / 2 for unit vectors). Exact in the limit of large exponents: float relative error
 /// <= (2 + 2 |log of the result|) ulp for every exponent.
 template <class T>
-T pow_one_minus(const T& x, const T& exponent) {
+[[gnu::always_inline]] inline T pow_one_minus(const T& x, const T& exponent) {
     return select(exponent == T(0), T(1), fast_exp(T(exponent * fast_log1p(T(-x)))));
 }
 
 /// Highlight cos^alpha for unit vectors r and l given as cos = r.l and one_minus_cos = |r - l|^2 / 2; 0 where
 /// cos <= 0. Error as pow_one_minus; from cos alone in float it would be alpha * 2^-25, useless beyond alpha ~ 1e4.
 template <class T>
-T pow_cos(const T& cos, const T& one_minus_cos, const T& alpha) {
+[[gnu::always_inline]] inline T pow_cos(const T& cos, const T& one_minus_cos, const T& alpha) {
     return select(cos > T(0), pow_one_minus(min(one_minus_cos, T(1)), alpha), T(0));
 }
 
 namespace math_detail {
 /// asin for |x| <= 1/2.
 template <class T>
-T asin_reduced(const T& x) {
+[[gnu::always_inline]] inline T asin_reduced(const T& x) {
     const T z = x * x;
     return mul_add(T(x * z),
                    polynomial(z, 0.1666667241f, 0.07498855073f, 0.04500138007f, 0.0265545422f, 0.03808502357f), x);
@@ -219,7 +219,7 @@ T asin_reduced(const T& x) {
 
 /// |x| <= 1 (beyond: as at 1). Float: 5 ulp relative.
 template <class T>
-T fast_asin(const T& x) {
+[[gnu::always_inline]] inline T fast_asin(const T& x) {
     using namespace math_detail;
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::asin(std::fmin(std::fmax(v, -1.0), 1.0)); });
@@ -234,7 +234,7 @@ T fast_asin(const T& x) {
 
 /// |x| <= 1 (beyond: as at 1). Float: 4 ulp relative.
 template <class T>
-T fast_acos(const T& x) {
+[[gnu::always_inline]] inline T fast_acos(const T& x) {
     using namespace math_detail;
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::acos(std::fmin(std::fmax(v, -1.0), 1.0)); });
@@ -250,7 +250,7 @@ T fast_acos(const T& x) {
 
 /// The angle of (x, y) in [-pi, pi]; 0 at the origin. Float: 3 ulp relative.
 template <class T>
-T fast_atan2(const T& y, const T& x) {
+[[gnu::always_inline]] inline T fast_atan2(const T& y, const T& x) {
     using namespace math_detail;
     if constexpr (!is_float<T>) {
         return per_lane(y, x, [](double v, double u) { return u == 0 && v == 0 ? 0.0 : std::atan2(v, u); });

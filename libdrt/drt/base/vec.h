@@ -26,45 +26,51 @@ struct Vec3 {
     Vec3& operator-=(const Vec3& b) { return *this = *this - b; }
     Vec3& operator*=(const T& s) { return *this = *this * s; }
 
-    friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
-    friend constexpr Vec3 operator*(const Vec3& a, const T& s) { return {a.x * s, a.y * s, a.z * s}; }
-    friend constexpr Vec3 operator*(const T& s, const Vec3& a) { return a * s; }
-    friend constexpr Vec3 operator/(const Vec3& a, const T& s) { return a * (T(1) / s); }
+    [[gnu::always_inline]] friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    [[gnu::always_inline]] friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+    [[gnu::always_inline]] friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
+    [[gnu::always_inline]] friend constexpr Vec3 operator*(const Vec3& a, const T& s) {
+        return {a.x * s, a.y * s, a.z * s};
+    }
+    [[gnu::always_inline]] friend constexpr Vec3 operator*(const T& s, const Vec3& a) { return a * s; }
+    [[gnu::always_inline]] friend constexpr Vec3 operator/(const Vec3& a, const T& s) { return a * (T(1) / s); }
     friend bool operator==(const Vec3& a, const Vec3& b) requires std::is_arithmetic_v<T>
     = default;
 };
 
 template <class T>
-constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
+[[gnu::always_inline]] constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <class T>
-constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+[[gnu::always_inline]] constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 template <class T>
-T length_squared(const Vec3<T>& a) {
+[[gnu::always_inline]] inline T length_squared(const Vec3<T>& a) {
     return dot(a, a);
 }
 
 template <class T>
-T length(const Vec3<T>& a) {
+[[gnu::always_inline]] inline T length(const Vec3<T>& a) {
     using std::sqrt;
     return sqrt(dot(a, a));
 }
 
 /// Undefined (NaN) for the zero vector: callers check where zero can occur.
 template <class T>
-Vec3<T> normalize(const Vec3<T>& a) {
+[[gnu::always_inline]] inline Vec3<T> normalize(const Vec3<T>& a) {
     return a / length(a);
 }
 
 template <class T>
-Vec3<T> select(const MaskOf<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
+[[gnu::always_inline]] inline Vec3<T> select(const MaskOf<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 

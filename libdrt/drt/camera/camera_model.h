@@ -61,8 +61,8 @@ struct CameraRay {
 
 /// Position on the film in pixels from the upper left corner; `lens_uv` in [0, 1)^2 is not read by a pinhole.
 template <bool has_lens, class T>
-CameraRay<T> camera_ray(const View<T>& v, const FilmPlane& film, const LensModel& lens, const Vec2<T>& position,
-                        const Vec2<T>& lens_uv) {
+[[gnu::always_inline]] inline CameraRay<T> camera_ray(const View<T>& v, const FilmPlane& film, const LensModel& lens,
+                                                      const Vec2<T>& position, const Vec2<T>& lens_uv) {
     using Real = ScalarOf<T>;
     const T x = (position.x - T(Real(film.width) / 2)) * v.pixel_size;
     const T y = (T(Real(film.height) / 2) - position.y) * v.pixel_size;

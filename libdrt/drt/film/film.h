@@ -22,9 +22,15 @@ inline constexpr float sample_limit = 65536.0f;          ///< 2^16: larger sampl
 constexpr int replicate_of(std::uint32_t sample) { return int(sample % replicate_count); }
 constexpr std::uint32_t index_in_replicate(std::uint32_t sample) { return sample / replicate_count; }
 
-struct PixelSum {
-    std::array<std::int64_t, 4> rgba{};
-    std::uint32_t samples = 0;
+/// Pixels are stored in blocks of 4 x 4, in Morton order within a block, so that a packet of neighbouring pixels is
+/// contiguous whatever its width, and adding it is a few vector instructions.
+inline constexpr int block_side = 4;
+inline constexpr int block_pixels = block_side * block_side;
+
+/// Sums of one replicate, by position in the block layout.
+struct FilmPlanes {
+    std::array<std::vector<std::int64_t>, 4> rgba;
+    std::vector<std::uint32_t> samples;
 };
 
 struct FilmCounters {
@@ -36,14 +42,29 @@ struct FilmCounters {
 
 struct Film {
     int width = 0, height = 0;
-    std::array<std::vector<PixelSum>, replicate_count> sums;  ///< row-major, rows from the top
+    std::array<FilmPlanes, replicate_count> planes;
 
     Film() = default;
     Film(int w, int h);
-    std::size_t memory() const { return sums.size() * sums[0].size() * sizeof(PixelSum); }
+    int blocks_across() const { return (width + block_side - 1) / block_side; }
+    int blocks_down() const { return (height + block_side - 1) / block_side; }
+    std::size_t memory() const;
 };
 
-/// Adds one camera sample. Different threads may add to different pixels.
+/// Where pixel (x, y) is in the planes.
+std::size_t film_index(const Film&, int x, int y);
+
+/// One sample of each pixel of a block, in the block's order.
+struct BlockSamples {
+    std::array<const float*, 4> rgba;  ///< 16 values each
+    unsigned valid = 0xffff;           ///< bit i: pixel i is part of the picture
+};
+
+/// Adds sample number `sample` of all pixels of the block whose upper left pixel is (x, y), multiples of 4. Different
+/// threads may add to different blocks.
+void add_block(Film&, std::uint32_t sample, int x, int y, const BlockSamples&, FilmCounters&);
+
+/// Adds one sample of one pixel.
 void add_sample(Film&, std::uint32_t sample, int x, int y, const std::array<float, 4>& rgba, FilmCounters&);
 
 void merge(FilmCounters& into, const FilmCounters& from);

@@ -5,6 +5,8 @@
 
 #include "drt/geometry/shapes.h"
 
+// always_inline: see base/simd.h; a call passes every lane through memory.
+
 namespace drt {
 
 /// Nearest root in range of a convex body whose surface is crossed at t_in <= t_out. `t_out_own` replaces t_out for
@@ -23,7 +25,8 @@ struct Chosen {
 };
 
 template <class T>
-Chosen<T> choose_root(const ConvexRoots<T>& r, const Relation<T>& rel, const T& tmin, const T& tmax) {
+[[gnu::always_inline]] inline Chosen<T> choose_root(const ConvexRoots<T>& r, const Relation<T>& rel, const T& tmin,
+                                                    const T& tmax) {
     const auto first = r.t_in > tmin && !rel.on;
     T t = select(first, r.t_in, r.t_out);
     const auto beyond_start = (rel.on && !rel.outward) || (!rel.on && t > tmin);
@@ -34,8 +37,9 @@ Chosen<T> choose_root(const ConvexRoots<T>& r, const Relation<T>& rel, const T& 
 /// With the closest approach p = o - (o.d) d and discriminant r^2 - p.p: stable for far and for huge spheres alike
 /// (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems ch. 7).
 template <class T>
-ShapeHit<T> intersect(const SphereShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d, const Relation<T>& rel,
-                      const T& tmin, const T& tmax) {
+[[gnu::always_inline]] inline ShapeHit<T> intersect(const SphereShape<ScalarOf<T>>& s, const Vec3<T>& o,
+                                                    const Vec3<T>& d, const Relation<T>& rel, const T& tmin,
+                                                    const T& tmax) {
     using std::sqrt;
     const T b = dot(o, d);
     const Vec3<T> p = o - d * b;
@@ -56,7 +60,7 @@ ShapeHit<T> intersect(const SphereShape<ScalarOf<T>>& s, const Vec3<T>& o, const
 }
 
 template <class T>
-MaskOf<T> inside_outline(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& p) {
+[[gnu::always_inline]] inline MaskOf<T> inside_outline(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& p) {
     const Vec3<T> q = p - Vec3<T>(s.origin);
     const T a = dot(q, Vec3<T>(s.da)), b = dot(q, Vec3<T>(s.db));
     switch (s.outline) {
@@ -71,8 +75,8 @@ MaskOf<T> inside_outline(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& p) {
 }
 
 template <class T>
-ShapeHit<T> intersect(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d, const Relation<T>& rel,
-                      const T& tmin, const T& tmax) {
+[[gnu::always_inline]] inline ShapeHit<T> intersect(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d,
+                                                    const Relation<T>& rel, const T& tmin, const T& tmax) {
     const Vec3<T> n(s.normal);
     const T dn = dot(d, n);
     const T t = dot(Vec3<T>(s.origin) - o, n) / dn;  // parallel: inf or NaN, both fail the range test
@@ -81,8 +85,9 @@ ShapeHit<T> intersect(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& o, const V
 }
 
 template <class T>
-ShapeHit<T> intersect(const PlaneShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d, const Relation<T>& rel,
-                      const T& tmin, const T& tmax) {
+[[gnu::always_inline]] inline ShapeHit<T> intersect(const PlaneShape<ScalarOf<T>>& s, const Vec3<T>& o,
+                                                    const Vec3<T>& d, const Relation<T>& rel, const T& tmin,
+                                                    const T& tmax) {
     const Vec3<T> n(s.normal);
     const T t = -dot(o, n) / dot(d, n);
     return {t > tmin && t < tmax && !rel.on, t, n, Rebind<T, int>(0)};
@@ -95,7 +100,7 @@ struct Slab {
     T lo{-infinity}, hi{infinity};
     Rebind<T, int> lo_axis{0}, hi_axis{0};
 
-    void clip(const T& o, const T& d, ScalarOf<T> half, int axis) {
+    [[gnu::always_inline]] void clip(const T& o, const T& d, ScalarOf<T> half, int axis) {
         using I = Rebind<T, int>;
         const T inv = T(1) / d;
         const T a = (T(-half) - o) * inv, b = (T(half) - o) * inv;
@@ -113,8 +118,8 @@ struct Slab {
 };
 
 template <class T>
-ShapeHit<T> intersect(const BoxShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d, const Relation<T>& rel,
-                      const T& tmin, const T& tmax) {
+[[gnu::always_inline]] inline ShapeHit<T> intersect(const BoxShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d,
+                                                    const Relation<T>& rel, const T& tmin, const T& tmax) {
     using I = Rebind<T, int>;
     const Vec3<T> ax(s.ax), ay(s.ay), az(s.az);
     const Vec3<T> lo{dot(o, ax), dot(o, ay), dot(o, az)}, ld{dot(d, ax), dot(d, ay), dot(d, az)};
@@ -135,8 +140,9 @@ ShapeHit<T> intersect(const BoxShape<ScalarOf<T>>& s, const Vec3<T>& o, const Ve
 }
 
 template <class T>
-ShapeHit<T> intersect(const CylinderShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d, const Relation<T>& rel,
-                      const T& tmin, const T& tmax) {
+[[gnu::always_inline]] inline ShapeHit<T> intersect(const CylinderShape<ScalarOf<T>>& s, const Vec3<T>& o,
+                                                    const Vec3<T>& d, const Relation<T>& rel, const T& tmin,
+                                                    const T& tmax) {
     using I = Rebind<T, int>;
     using std::sqrt;
     const Vec3<T> ax(s.ax), ay(s.ay), az(s.az);

@@ -23,7 +23,7 @@ struct LightSample {
 namespace light_detail {
 
 template <class T>
-LightSample<T> towards(const Vec3<T>& from, const Vec3<T>& to) {
+[[gnu::always_inline]] inline LightSample<T> towards(const Vec3<T>& from, const Vec3<T>& to) {
     using F = Rebind<T, float>;
     using std::sqrt;
     const Vec3<T> v = to - from;
@@ -34,7 +34,8 @@ LightSample<T> towards(const Vec3<T>& from, const Vec3<T>& to) {
 
 /// E / pi is unbounded as a light is approached; this keeps it finite, far beyond the film's own clamp.
 template <class T>
-void set_intensity(LightSample<T>& s, const LightCommon<Rebind<T, float>>& light, const T& physical_factor) {
+[[gnu::always_inline]] inline void set_intensity(LightSample<T>& s, const LightCommon<Rebind<T, float>>& light,
+                                                 const T& physical_factor) {
     using F = Rebind<T, float>;
     const F factor = min(num_cast<F>(physical_factor), F(1e30f));
     s.intensity = light.color * select(light.inverse_square, factor, F(1));
@@ -44,7 +45,8 @@ void set_intensity(LightSample<T>& s, const LightCommon<Rebind<T, float>>& light
 }  // namespace light_detail
 
 template <class T>
-LightSample<T> sample_light(const PointLightData<T>& l, const Vec3<T>& p, const Vec2<T>&) {
+[[gnu::always_inline]] inline LightSample<T> sample_light(const PointLightData<T>& l, const Vec3<T>& p,
+                                                          const Vec2<T>&) {
     using Real = ScalarOf<T>;
     LightSample<T> s = light_detail::towards(p, l.position);
     light_detail::set_intensity(s, l, T(1 / pi<Real>) / (s.distance * s.distance));
@@ -53,7 +55,8 @@ LightSample<T> sample_light(const PointLightData<T>& l, const Vec3<T>& p, const 
 
 /// Uniform over the rectangle.
 template <class T>
-LightSample<T> sample_light(const RectLightData<T>& l, const Vec3<T>& p, const Vec2<T>& u) {
+[[gnu::always_inline]] inline LightSample<T> sample_light(const RectLightData<T>& l, const Vec3<T>& p,
+                                                          const Vec2<T>& u) {
     using Real = ScalarOf<T>;
     using std::abs;
     LightSample<T> s = light_detail::towards(p, l.corner + l.edge_x * u.x + l.edge_y * u.y);
@@ -68,8 +71,8 @@ namespace light_detail {
 /// The legacy bulb: a point on the disc that faces p, its radius uniform. With inverse_square the disc has the bulb's
 /// power: E / pi = colour (pi r^2 / d^2) / pi.
 template <class T>
-LightSample<T> sample_radial(const SphereLightData<T>& l, const Vec3<T>& p, const Frame<T>& frame, const T& d,
-                             const Vec2<T>& u) {
+[[gnu::always_inline]] inline LightSample<T> sample_radial(const SphereLightData<T>& l, const Vec3<T>& p,
+                                                           const Frame<T>& frame, const T& d, const Vec2<T>& u) {
     const Vec2<T> disc = radial_disc(u);
     LightSample<T> s = towards(p, l.center + (frame.x * disc.x + frame.y * disc.y) * l.radius);
     set_intensity(s, l, l.radius * l.radius / (d * d));
@@ -78,7 +81,8 @@ LightSample<T> sample_radial(const SphereLightData<T>& l, const Vec3<T>& p, cons
 
 /// Uniform over the cone of directions to the sphere.
 template <class T>
-LightSample<T> sample_cone(const SphereLightData<T>& l, const Frame<T>& frame, const T& d, const Vec2<T>& u) {
+[[gnu::always_inline]] inline LightSample<T> sample_cone(const SphereLightData<T>& l, const Frame<T>& frame, const T& d,
+                                                         const Vec2<T>& u) {
     using F = Rebind<T, float>;
     using Real = ScalarOf<T>;
     using std::sqrt;
@@ -96,7 +100,8 @@ LightSample<T> sample_cone(const SphereLightData<T>& l, const Frame<T>& frame, c
 }  // namespace light_detail
 
 template <class T>
-LightSample<T> sample_light(const SphereLightData<T>& l, const Vec3<T>& p, const Vec2<T>& u) {
+[[gnu::always_inline]] inline LightSample<T> sample_light(const SphereLightData<T>& l, const Vec3<T>& p,
+                                                          const Vec2<T>& u) {
     using F = Rebind<T, float>;
     const LightSample<T> axis = light_detail::towards(p, l.center);
     const Frame<T> frame = frame_around(axis.wi);

@@ -16,13 +16,13 @@ struct PhongParameters {
 
 /// `n` faces the viewer; wi, wo are unit vectors away from the surface; 0 where wi is below the surface.
 template <class F>
-Color3<F> phong_diffuse(const PhongParameters<F>& p, const F& cos_i) {
+[[gnu::always_inline]] inline Color3<F> phong_diffuse(const PhongParameters<F>& p, const F& cos_i) {
     return p.diffuse * max(cos_i, F(0));
 }
 
 template <class F>
-Color3<F> phong_specular(const PhongParameters<F>& p, const Vec3<F>& n, const Vec3<F>& wi, const Vec3<F>& wo,
-                         const F& cos_i) {
+[[gnu::always_inline]] inline Color3<F> phong_specular(const PhongParameters<F>& p, const Vec3<F>& n, const Vec3<F>& wi,
+                                                       const Vec3<F>& wo, const F& cos_i) {
     const Vec3<F> r = n * (F(2) * cos_i) - wi;
     const Vec3<F> gap = r - wo;
     const F highlight = pow_cos(dot(r, wo), dot(gap, gap) * F(0.5f), p.shininess);

@@ -27,6 +27,7 @@ template <class Real>
 std::unique_ptr<World<Real>> build_world(const SceneDesc& scene, PreparedScene&& p, const PlanOptions& options,
                                          const Features& features, SceneTables&& tables) {
     auto w = std::make_unique<World<Real>>();
+    w->features = features;
     w->origin = p.origin;
     BuiltTable<Real> built = build_body_table<Real>(p.bodies);
     p.bodies = {};  // the prepared bodies are large; a million of them need not live through the BVH build

@@ -10,6 +10,7 @@
 #include "drt/geometry/body_table.h"
 #include "drt/light/light_table.h"
 #include "drt/material/material_table.h"
+#include "drt/plan/features.h"
 #include "drt/sampling/filter.h"
 #include "drt/sampling/sampler.h"
 #include "drt/texture/texture_map.h"
@@ -46,6 +47,7 @@ struct SamplePlan {
 template <class Real>
 struct World {
     using RealType = Real;
+    Features features;
     Vec3d origin;
     BodyTable<Real> bodies;
     std::unique_ptr<Accel<Real>> accel;

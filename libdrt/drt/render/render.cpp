@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <bit>
 #include <mutex>
 
 #include "drt/render/passes.h"
@@ -118,7 +119,7 @@ private:
         c.pixels = &tile;
         c.batch = w.batch.get();
         c.counters = &w.counters;
-        const int at_once = samples_per_batch(tile.count);
+        const int at_once = samples_per_batch(tile.count());
         for (int s = 0; s < samples; s += at_once) {
             c.first_sample = first + std::uint32_t(s);
             c.samples = std::min(at_once, samples - s);
@@ -153,6 +154,8 @@ private:
 }  // namespace
 
 RenderResult render(const RenderPlan& plan, const RenderOptions& options, const RenderEvents& events) {
+    if (options.tile_size < block_side || options.tile_size > 32 || !std::has_single_bit(unsigned(options.tile_size)))
+        throw Error(ErrorKind::usage, "the tile size must be 4, 8, 16 or 32 pixels");
     RenderResult result;
     result.film = Film(plan.width, plan.height);
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);

@@ -1,6 +1,6 @@
 #include "drt/render/tiles.h"
 
-#include <algorithm>
+#include <bit>
 
 namespace drt {
 
@@ -13,19 +13,26 @@ int even_bits(unsigned v) {
     return out;
 }
 
+TileBlock make_block(int x, int y, int width, int height) {
+    TileBlock b{x, y, 0};
+    for (unsigned i = 0; i < unsigned(block_pixels); ++i)
+        if (x + even_bits(i) < width && y + even_bits(i >> 1) < height) b.valid |= 1u << i;
+    return b;
+}
+
 TilePixels make_tile(int x0, int y0, int width, int height, int size) {
-    constexpr size_t widest_packet = 16;
     TilePixels t;
-    for (unsigned m = 0; m < unsigned(size) * unsigned(size); ++m) {
-        const int x = x0 + even_bits(m), y = y0 + even_bits(m >> 1);
+    const unsigned blocks = unsigned(size / block_side) * unsigned(size / block_side);
+    for (unsigned m = 0; m < blocks; ++m) {
+        const int x = x0 + block_side * even_bits(m), y = y0 + block_side * even_bits(m >> 1);
         if (x >= width || y >= height) continue;
-        t.x.push_back(x);
-        t.y.push_back(y);
+        t.blocks.push_back(make_block(x, y, width, height));
+        t.valid_count += std::popcount(t.blocks.back().valid);
+        for (unsigned i = 0; i < unsigned(block_pixels); ++i) {
+            t.x.push_back(x + even_bits(i));
+            t.y.push_back(y + even_bits(i >> 1));
+        }
     }
-    t.count = int(t.x.size());
-    const size_t padded = (t.x.size() + widest_packet - 1) / widest_packet * widest_packet;
-    t.x.resize(padded, t.x.back());
-    t.y.resize(padded, t.y.back());
     return t;
 }
 

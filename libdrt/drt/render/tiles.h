@@ -6,8 +6,8 @@
 
 namespace drt {
 
-/// The picture cut into square tiles, row by row; the tiles at the right and lower edge may be smaller.
-/// Pixels within a tile are in Morton order and padded to whole packets. `size` is a power of two.
+/// The picture cut into square tiles, row by row, of whole film blocks; those at the right and lower edge may be
+/// smaller. `size` is a power of two, 4 to 32 (a batch holds at least one sample of a tile).
 std::vector<TilePixels> make_tiles(int width, int height, int size);
 
 }  // namespace drt

@@ -54,7 +54,7 @@ struct AxisSample {
 };
 
 template <class T>
-AxisSample<T> sample_pieces(const FilterTable& filter, const T& a) {
+[[gnu::always_inline]] inline AxisSample<T> sample_pieces(const FilterTable& filter, const T& a) {
     using I = Rebind<T, std::int32_t>;
     const auto constant = [](float v) { return T(ScalarOf<T>(v)); };
     const FilterPiece& first = filter.pieces[0];
@@ -75,7 +75,7 @@ AxisSample<T> sample_pieces(const FilterTable& filter, const T& a) {
 }
 
 template <class T>
-AxisSample<T> sample_axis(const FilterTable& filter, const T& u) {
+[[gnu::always_inline]] inline AxisSample<T> sample_axis(const FilterTable& filter, const T& u) {
     using std::sqrt;
     const T radius = T(ScalarOf<T>(filter.spec.radius));
     const T s = T(2) * u - T(1);
@@ -94,7 +94,7 @@ AxisSample<T> sample_axis(const FilterTable& filter, const T& u) {
 
 /// u in [0, 1)^2.
 template <class T>
-FilterSample<T> sample_filter(const FilterTable& filter, const Vec2<T>& u) {
+[[gnu::always_inline]] inline FilterSample<T> sample_filter(const FilterTable& filter, const Vec2<T>& u) {
     const auto x = filter_detail::sample_axis(filter, u.x), y = filter_detail::sample_axis(filter, u.y);
     return {{x.offset, y.offset}, x.weight * y.weight};
 }

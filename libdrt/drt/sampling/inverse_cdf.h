@@ -34,7 +34,8 @@ void append_zero(InverseCdfs&);
 
 /// x where a fraction v of table's density lies beyond x. v in (0, 1]; below 2^-32 as at 2^-32.
 template <class T>
-T inverse_cdf(const InverseCdfs& tables, const Rebind<T, std::int32_t>& table, const T& v) {
+[[gnu::always_inline]] inline T inverse_cdf(const InverseCdfs& tables, const Rebind<T, std::int32_t>& table,
+                                            const T& v) {
     using F = Rebind<T, float>;
     using I = Rebind<T, std::int32_t>;
     constexpr std::int32_t one = 0x3f800000;  // the bits of 1.0f

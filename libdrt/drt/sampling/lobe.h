@@ -26,7 +26,7 @@ int add_lobe(LobeTables&, double sigma);
 /// theta in [0, pi/2) for u in [0, 1), monotone. A float u should be a multiple of 2^-24, as the sampler's are: then
 /// 1 - u is exact, and the error, as a relative error of the CDF on either side, is below 1e-6.
 template <class T>
-T lobe_theta(const LobeTables& tables, const Rebind<T, std::int32_t>& lobe, const T& u) {
+[[gnu::always_inline]] inline T lobe_theta(const LobeTables& tables, const Rebind<T, std::int32_t>& lobe, const T& u) {
     return inverse_cdf(tables.inverse, lobe, T(T(1) - u));
 }
 
@@ -37,7 +37,7 @@ double lobe_pdf(const LobeTables&, int lobe, double theta);
 
 /// The unit direction at angle theta from frame.z, azimuth u in turns: normalize(z + (cos x + sin y) tan(theta)).
 template <class T>
-Vec3<T> lobe_direction(const Frame<T>& frame, const T& theta, const T& azimuth_turns) {
+[[gnu::always_inline]] inline Vec3<T> lobe_direction(const Frame<T>& frame, const T& theta, const T& azimuth_turns) {
     const auto [sin_azimuth, cos_azimuth] = sincos_2pi(azimuth_turns);
     const auto [s, c] = sincos_2pi(T(theta * T(1 / (2 * pi<ScalarOf<T>>))));
     return frame.to_world({cos_azimuth * s, sin_azimuth * s, c});

@@ -9,7 +9,7 @@ namespace drt {
 /// Time in [0, 1] by the inverse CDF of the trapezoid: monotone in u, so a stratified u gives a stratified time.
 /// `switch_ratio` in [0, 1]: 0 is uniform, 1 a triangle.
 template <class T>
-T shutter_time(const T& u, const T& switch_ratio) {
+[[gnu::always_inline]] inline T shutter_time(const T& u, const T& switch_ratio) {
     using std::sqrt;
     const T ramp = T(0.5f) * switch_ratio;  // length of opening, and of closing
     const T area = T(1) - ramp;             // under a trapezoid of height 1
@@ -23,7 +23,7 @@ T shutter_time(const T& u, const T& switch_ratio) {
 
 /// The density of shutter_time at t in [0, 1].
 template <class T>
-T shutter_pdf(const T& t, const T& switch_ratio) {
+[[gnu::always_inline]] inline T shutter_pdf(const T& t, const T& switch_ratio) {
     const T ramp = T(0.5f) * switch_ratio;
     const T edge = min(t, T(T(1) - t));
     return select(edge < ramp, T(edge / ramp), T(1)) / (T(1) - ramp);

@@ -22,8 +22,10 @@ Color3<typename Pack<Real>::F> emitted(const World<Real>& w, const RayBatch<Real
     return out;
 }
 
-template <class Real, bool visible_lights>
-void emit(StageContext<Real>& c) {
+}  // namespace
+
+template <class Real>
+void emit_stage(StageContext<Real>& c) {
     using P = Pack<Real>;
     using F = typename P::F;
     using I = typename P::I;
@@ -41,21 +43,14 @@ void emit(StageContext<Real>& c) {
         ambient = select(textured, load_color<F>(b.albedo, i) * Color3<F>(w.materials.ambient_light), ambient);
         Color3<F> light = select(hit, Color3<F>(F(0)), background);
         light = select(shaded, ambient, light);
-        if constexpr (visible_lights) light += emitted(w, b, i);
+        if (w.features.visible_lights) light += emitted(w, b, i);
         add_radiance(b, i, live, load_color<F>(b.throughput, i) * light);
         // Coverage: the filter's weight goes with it, so that its mean is the filtered coverage.
         if (b.bounce == 0) store(select(hit, load<F>(b.throughput.x.at(i)), F(0)), b.alpha.at(i));
     }
 }
 
-}  // namespace
-
-template <class Real>
-StageFunction<Real> emit_stage(const Features& f) {
-    return f.visible_lights ? emit<Real, true> : emit<Real, false>;
-}
-
-template StageFunction<float> emit_stage(const Features&);
-template StageFunction<double> emit_stage(const Features&);
+template void emit_stage(StageContext<float>&);
+template void emit_stage(StageContext<double>&);
 
 }  // namespace drt

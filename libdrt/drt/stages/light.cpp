@@ -18,9 +18,10 @@ struct Shading {
     typename P::F time;
     typename P::I start;
     typename P::Mask active;
+    bool shiny = false;  // some lane has highlights
 };
 
-template <class Real, bool specular>
+template <class Real>
 Shading<Real> load_shading(const World<Real>& w, const RayBatch<Real>& b, int i) {
     using P = Pack<Real>;
     using R = typename P::R;
@@ -35,9 +36,10 @@ Shading<Real> load_shading(const World<Real>& w, const RayBatch<Real>& b, int i)
     s.nf = Vec3<F>(s.n);
     s.wo = -Vec3<F>(load3<R>(b.d, i));
     s.phong.diffuse = load_color<F>(b.albedo, i);
-    if constexpr (specular) {
+    if (w.features.specular) {
         s.phong.specular = gather_color<F>(w.materials.specular, safe);
         s.phong.shininess = gather<F>(w.materials.shininess.data(), safe);
+        s.shiny = any(max_component(s.phong.specular) > F(0));
     }
     s.samples = {load<U>(b.key.at(i)), load<U>(b.index.at(i))};
     s.time = load<F>(b.time.at(i));
@@ -48,17 +50,17 @@ Shading<Real> load_shading(const World<Real>& w, const RayBatch<Real>& b, int i)
 }
 
 // Phong's terms for one light sample; zero where the light is behind the surface.
-template <class Real, bool specular>
+template <class Real>
 Color3<typename Pack<Real>::F> shade(const Shading<Real>& s, const Vec3<typename Pack<Real>::F>& wi) {
     using F = typename Pack<Real>::F;
     const F cosine = dot(s.nf, wi);
     Color3<F> f = phong_diffuse(s.phong, cosine);
-    if constexpr (specular) f += phong_specular(s.phong, s.nf, wi, s.wo, cosine);
+    if (s.shiny) f += phong_specular(s.phong, s.nf, wi, s.wo, cosine);
     return f;
 }
 
 // One sample of one light (each lane may have its own): sampled, tested for visibility, shaded.
-template <class Real, bool specular, class Light>
+template <class Real, class Light>
 Color3<typename Pack<Real>::F> light_from(StageContext<Real>& c, const Shading<Real>& s, const Light& light,
                                           DimId dimension) {
     using P = Pack<Real>;
@@ -70,7 +72,7 @@ Color3<typename Pack<Real>::F> light_from(StageContext<Real>& c, const Shading<R
         u = {num_cast<R>(uf.x), num_cast<R>(uf.y)};
     }
     const LightSample<R> sample = sample_light(light, s.p, u);
-    const Color3<F> reflected = shade<Real, specular>(s, Vec3<F>(sample.wi)) * sample.intensity;
+    const Color3<F> reflected = shade(s, Vec3<F>(sample.wi)) * sample.intensity;
     // In front by the same normal, in the precision that decides which side the shadow ray leaves on.
     const auto in_front = mask_cast<F>(dot(s.n, sample.wi) > R(0));
     const auto active = s.active && sample.lit && in_front && max_component(reflected) > F(0);
@@ -83,7 +85,7 @@ Color3<typename Pack<Real>::F> light_from(StageContext<Real>& c, const Shading<R
 }
 
 // All lights of one kind: each of them, or a few chosen by power, stratified.
-template <class Real, bool specular, template <class> class Kind>
+template <class Real, template <class> class Kind>
 Color3<typename Pack<Real>::F> light_from_all(StageContext<Real>& c, const Shading<Real>& s,
                                               const LightList<Kind, Real>& list, int& light_number) {
     using P = Pack<Real>;
@@ -93,7 +95,7 @@ Color3<typename Pack<Real>::F> light_from_all(StageContext<Real>& c, const Shadi
     Color3<F> sum(F(0));
     if (list.ask_all()) {
         for (const Kind<Real>& l : list.lights)
-            sum += light_from<Real, specular>(c, s, cast<R>(l), dim(HitDim::light, bounce, light_number++));
+            sum += light_from(c, s, cast<R>(l), dim(HitDim::light, bounce, light_number++));
         return sum;
     }
     constexpr int picks = lights_per_choice;
@@ -101,36 +103,31 @@ Color3<typename Pack<Real>::F> light_from_all(StageContext<Real>& c, const Shadi
     for (int i = 0; i < picks; ++i) {
         const Choice<F> chosen = choose(list.choice, F((u + F(float(i))) * F(1.0f / picks)));
         const Kind<R> light = pick<R>(list.lights, chosen.index);
-        sum += light_from<Real, specular>(c, s, light, dim(HitDim::light, bounce, light_number++)) *
+        sum += light_from(c, s, light, dim(HitDim::light, bounce, light_number++)) *
                (F(1.0f / picks) / chosen.probability);
     }
     return sum;
 }
 
-template <class Real, bool specular>
-void light(StageContext<Real>& c) {
+}  // namespace
+
+template <class Real>
+void light_stage(StageContext<Real>& c) {
     using F = typename Pack<Real>::F;
     const LightTable<Real>& lights = c.world->lights;
     RayBatch<Real>& b = *c.batch;
     for (int i = 0; i < b.count; i += Pack<Real>::width) {
-        const Shading<Real> s = load_shading<Real, specular>(*c.world, b, i);
+        const Shading<Real> s = load_shading(*c.world, b, i);
         if (!any(s.active)) continue;
         int light_number = 0;  // names the sample dimensions of each light
-        Color3<F> sum = light_from_all<Real, specular>(c, s, lights.points, light_number);
-        sum += light_from_all<Real, specular>(c, s, lights.rects, light_number);
-        sum += light_from_all<Real, specular>(c, s, lights.spheres, light_number);
+        Color3<F> sum = light_from_all(c, s, lights.points, light_number);
+        sum += light_from_all(c, s, lights.rects, light_number);
+        sum += light_from_all(c, s, lights.spheres, light_number);
         add_radiance(b, i, s.active, load_color<F>(b.throughput, i) * sum);
     }
 }
 
-}  // namespace
-
-template <class Real>
-StageFunction<Real> light_stage(const Features& f) {
-    return f.specular ? light<Real, true> : light<Real, false>;
-}
-
-template StageFunction<float> light_stage(const Features&);
-template StageFunction<double> light_stage(const Features&);
+template void light_stage(StageContext<float>&);
+template void light_stage(StageContext<double>&);
 
 }  // namespace drt

@@ -59,21 +59,17 @@ void run(const Pipeline<Real>& pipeline, StageContext<Real>& c, StageTimes& time
 template void run(const Pipeline<float>&, StageContext<float>&, StageTimes&);
 template void run(const Pipeline<double>&, StageContext<double>&, StageTimes&);
 
-int samples_per_batch(int pixels) {
-    constexpr int widest = 16;
-    const int padded = (pixels + widest - 1) / widest * widest;
-    return std::max(1, batch_capacity / padded);
-}
+int samples_per_batch(int pixels) { return std::max(1, batch_capacity / pixels); }
 
 template <class Real>
 Pipeline<Real> compose(const Features& f) {
     Pipeline<Real> p;
-    p.first.push_back({StageKind::generate, generate_stage<Real>(f)});
+    p.first.push_back({StageKind::generate, generate_stage<Real>});
     p.bounce.push_back({StageKind::intersect, intersect_stage<Real>});
-    p.bounce.push_back({StageKind::surface, surface_stage<Real>(f)});
-    p.bounce.push_back({StageKind::emit, emit_stage<Real>(f)});
-    if (f.lights) p.bounce.push_back({StageKind::light, light_stage<Real>(f)});
-    p.bounce.push_back({StageKind::scatter, f.scatter ? scatter_stage<Real>(f) : end_stage<Real>});
+    p.bounce.push_back({StageKind::surface, surface_stage<Real>});
+    p.bounce.push_back({StageKind::emit, emit_stage<Real>});
+    if (f.lights) p.bounce.push_back({StageKind::light, light_stage<Real>});
+    p.bounce.push_back({StageKind::scatter, f.scatter ? scatter_stage<Real> : end_stage<Real>});
     p.last.push_back({StageKind::splat, splat_stage<Real>});
     return p;
 }

@@ -74,11 +74,8 @@ struct RayBatch {
     Column3<float> albedo;          ///< diffuse colour, textured or not
 
     // paths, by slot: not compacted
-    int slots = 0;
     Column3<float> radiance;
     Column<float> alpha;
-    Column<std::int32_t> pixel;  ///< index in the tile's pixel list
-    Column<std::uint32_t> sample;
     std::vector<std::int32_t> media;  ///< [capacity][slot]: bodies that the path is inside of, outermost first
     std::vector<std::int32_t> media_count;
 

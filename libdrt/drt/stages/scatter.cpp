@@ -51,7 +51,7 @@ void cross_surfaces(RayBatch<Real>& b, int i, const typename Pack<Real>::Mask& l
 
 // Mirror direction; or, with probability refraction / (reflectance + refraction), the refracted one. Total internal
 // reflection sends the refracted share into the mirror direction, with refraction's own spread.
-template <class Real, bool refraction>
+template <class Real>
 Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i,
                                   const SampleSet<typename Pack<Real>::F>& samples,
                                   const typename Pack<Real>::I& material, const typename Pack<Real>::Mask& live) {
@@ -63,7 +63,7 @@ Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i
     const Vec3<R> d = load3<R>(b.d, i), n = load3<R>(b.n, i);
     Directions<Real> out{mirror(d, n), gather<I>(w.materials.reflection_lobe.data(), material),
                          typename P::Mask(false)};
-    if constexpr (refraction) {
+    if (w.features.refraction) {
         const F kr = gather<F>(w.materials.reflectance.data(), material);
         const F kt = gather<F>(w.materials.refraction.data(), material);
         const F choice = sample_1d(w.sampling.kind, samples, dim(HitDim::lobe_choice, b.bounce));
@@ -111,8 +111,10 @@ typename Pack<Real>::Mask survive(const World<Real>& w, const RayBatch<Real>& b,
     return alive && largest > F(0);
 }
 
-template <class Real, bool refraction, bool glossy>
-void scatter(StageContext<Real>& c) {
+}  // namespace
+
+template <class Real>
+void scatter_stage(StageContext<Real>& c) {
     using P = Pack<Real>;
     using R = typename P::R;
     using F = typename P::F;
@@ -126,21 +128,21 @@ void scatter(StageContext<Real>& c) {
         const I raw_material = load<I>(b.material.at(i));
         const I material = max(raw_material, I(0));
         F share = gather<F>(w.materials.reflectance.data(), material);
-        if constexpr (refraction) share += gather<F>(w.materials.refraction.data(), material);
+        if (w.features.refraction) share += gather<F>(w.materials.refraction.data(), material);
         auto live = mask_cast<F>(raw_material >= I(0)) && share > F(0);
         if (!any(live)) continue;
         Color3<F> throughput = load_color<F>(b.throughput, i) * share;
         const SampleSet<F> samples{load<U>(b.key.at(i)), load<U>(b.index.at(i))};
         live = live && survive(w, b, samples, throughput);
         if (!any(live)) continue;
-        const Directions<Real> dir = choose_direction<Real, refraction>(w, b, i, samples, material, live);
+        const Directions<Real> dir = choose_direction(w, b, i, samples, material, live);
         Vec3<R> d = dir.d;
-        if constexpr (glossy) d = spread_lobe(w, b, dir, samples);
+        if (w.features.glossy) d = spread_lobe(w, b, dir, samples);
         // A lobe's tail that ends on the wrong side of the surface is mirrored back about the tangent plane.
         const Vec3<R> n = load3<R>(b.n, i);
         const auto below = dot(d, n) < R(0);
         d = normalize(select(below != mask_cast<R>(dir.refracts), mirror(d, n), d));
-        if constexpr (refraction) cross_surfaces(b, i, live && dir.refracts, *c.counters);
+        if (w.features.refraction) cross_surfaces(b, i, live && dir.refracts, *c.counters);
         const I came_outward = load<I>(b.outward.at(i));
         const I leaves_outward = select(mask_cast<I>(dir.refracts), I(1) - came_outward, came_outward);
         const I start = start::pack(load<I>(b.body.at(i)), load<I>(b.part.at(i)), leaves_outward);
@@ -167,15 +169,7 @@ void scatter(StageContext<Real>& c) {
     c.counters->scattered_rays += std::uint64_t(out);
 }
 
-}  // namespace
-
-template <class Real>
-StageFunction<Real> scatter_stage(const Features& f) {
-    if (f.refraction) return f.glossy ? scatter<Real, true, true> : scatter<Real, true, false>;
-    return f.glossy ? scatter<Real, false, true> : scatter<Real, false, false>;
-}
-
-template StageFunction<float> scatter_stage(const Features&);
-template StageFunction<double> scatter_stage(const Features&);
+template void scatter_stage(StageContext<float>&);
+template void scatter_stage(StageContext<double>&);
 
 }  // namespace drt

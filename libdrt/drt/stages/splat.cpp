@@ -5,12 +5,14 @@ namespace drt {
 template <class Real>
 void splat_stage(StageContext<Real>& c) {
     const RayBatch<Real>& b = *c.batch;
-    for (int slot = 0; slot < b.slots; ++slot) {
-        const int i = b.pixel[slot];
-        if (i >= c.pixels->count) continue;  // padding
-        add_sample(*c.film, b.sample[slot], c.pixels->x[size_t(i)], c.pixels->y[size_t(i)],
-                   {b.radiance.x[slot], b.radiance.y[slot], b.radiance.z[slot], b.alpha[slot]}, c.counters->film);
-    }
+    int slot = 0;
+    for (int s = 0; s < c.samples; ++s)
+        for (const TileBlock& block : c.pixels->blocks) {
+            const BlockSamples samples{
+                {b.radiance.x.at(slot), b.radiance.y.at(slot), b.radiance.z.at(slot), b.alpha.at(slot)}, block.valid};
+            add_block(*c.film, c.first_sample + std::uint32_t(s), block.x, block.y, samples, c.counters->film);
+            slot += block_pixels;
+        }
 }
 
 template void splat_stage(StageContext<float>&);

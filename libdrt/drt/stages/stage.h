@@ -14,10 +14,19 @@
 
 namespace drt {
 
-/// The pixels of one tile in Morton order, so that each packet is a small square of pixels.
+/// A block of the film (film.h): 4 x 4 pixels, contiguous in the batch and in the film.
+struct TileBlock {
+    std::int32_t x = 0, y = 0;  ///< its upper left pixel
+    unsigned valid = 0xffff;    ///< bit i: the block's pixel i is part of the picture
+};
+
+/// The pixels of one tile, block by block in Morton order, so that each packet is a small square of pixels whatever
+/// its width. Pixels beyond the picture's edge are there too, but carry no ray.
 struct TilePixels {
-    std::vector<std::int32_t> x, y;  ///< padded to whole packets by repeating the last pixel
-    int count = 0;                   ///< without the padding
+    std::vector<TileBlock> blocks;
+    std::vector<std::int32_t> x, y;  ///< of all pixels
+    int valid_count = 0;
+    int count() const { return int(x.size()); }
 };
 
 /// Counted per thread, added up at the end of a pass.

@@ -1,16 +1,14 @@
 #pragma once
-// The stages. Those that come in variants are chosen by a function of the features.
+// The stages. What a scene does not use inside a stage is skipped by branches on World::features, the same for every
+// packet of a frame.
 
 #include "drt/stages/stage.h"
 
 namespace drt {
 
-template <class Real>
-using StageFunction = void (*)(StageContext<Real>&);
-
 /// Camera rays for every pixel and sample of the batch.
 template <class Real>
-StageFunction<Real> generate_stage(const Features&);
+void generate_stage(StageContext<Real>&);
 
 /// Nearest hits.
 template <class Real>
@@ -18,19 +16,19 @@ void intersect_stage(StageContext<Real>&);
 
 /// Surface points: position, facing normal, material, texture colour.
 template <class Real>
-StageFunction<Real> surface_stage(const Features&);
+void surface_stage(StageContext<Real>&);
 
 /// Light that the hit itself sends back: background, visible lights, the ambient term.
 template <class Real>
-StageFunction<Real> emit_stage(const Features&);
+void emit_stage(StageContext<Real>&);
 
 /// Light from the light sources: sample, test visibility, shade.
 template <class Real>
-StageFunction<Real> light_stage(const Features&);
+void light_stage(StageContext<Real>&);
 
 /// Reflected and refracted rays; compacts the batch to the paths that go on.
 template <class Real>
-StageFunction<Real> scatter_stage(const Features&);
+void scatter_stage(StageContext<Real>&);
 
 /// Ends every path: takes scatter's place when nothing reflects or refracts.
 template <class Real>

@@ -3,10 +3,8 @@
 
 namespace drt {
 
-namespace {
-
-template <class Real, bool textured>
-void surface(StageContext<Real>& c) {
+template <class Real>
+void surface_stage(StageContext<Real>& c) {
     using P = Pack<Real>;
     using R = typename P::R;
     using F = typename P::F;
@@ -29,19 +27,12 @@ void surface(StageContext<Real>& c) {
         const F width = load<F>(b.footprint.at(i)) + load<F>(b.spread.at(i)) * num_cast<F>(t);
         store(width, b.footprint.at(i));
         Color3<F> albedo = gather_color<F>(w.materials.diffuse, max(material, I(0)));
-        if constexpr (textured) albedo = texture_color(w, b, i, material, albedo);
+        if (w.features.textures) albedo = texture_color(w, b, i, material, albedo);
         store_color(albedo, b.albedo, i);
     }
 }
 
-}  // namespace
-
-template <class Real>
-StageFunction<Real> surface_stage(const Features& f) {
-    return f.textures ? surface<Real, true> : surface<Real, false>;
-}
-
-template StageFunction<float> surface_stage(const Features&);
-template StageFunction<double> surface_stage(const Features&);
+template void surface_stage(StageContext<float>&);
+template void surface_stage(StageContext<double>&);
 
 }  // namespace drt
