@@ -38,5 +38,5 @@ render still-life legacy/still-life.txt
 render carousel legacy/carousel.txt --frame 10
 render manual-example legacy/manual-example.txt --frame 4
 render manual-example-lit legacy/manual-example-lit.txt --frame 4
-size=480x360
+size=400x300
 render hero combined-distributed.yaml
