@@ -67,7 +67,7 @@ DRT_INSTANTIATE(double)
 
 bool turns(std::span<const MotionPiece<double>> pieces) {
     return std::any_of(pieces.begin(), pieces.end(),
-                       [&](const MotionPiece<double>& p) { return p.angle != 0 || !(p.q0 == pieces[0].q0); });
+                       [](const MotionPiece<double>& p) { return p.angle != 0 || !(p.q0 == Quatd{}); });
 }
 
 Vec3d chord_deviation(std::span<const MotionPiece<double>> pieces, double u0, double u1) {

@@ -28,7 +28,7 @@ Vec3d half_extent(const BoxShape<Real>&);
 template <class Real>
 Vec3d half_extent(const CylinderShape<Real>&);
 
-/// Does the orientation change over the path?
+/// Is the body ever turned out of its described orientation?
 bool turns(std::span<const MotionPiece<double>>);
 
 /// The largest distance, per axis, between the path's centre and the chord over [u0, u1]. Exact: each piece is a cubic
