@@ -182,9 +182,9 @@ template <class T>
         return {use_in || use_out, t, n, I(part_side)};
     }
 
-    const T inv = T(1) / dz;
-    const T za = (-h - oz) * inv, zb = (h - oz) * inv;
-    const T z_in = min(za, zb), z_out = max(za, zb);  // dz = 0: -+inf inside, empty outside
+    Slab<T> caps;
+    caps.clip(oz, dz, s.half_height, 2);
+    const T z_in = caps.lo, z_out = caps.hi;
     const auto side_in = in > z_in, side_out = out < z_out;
     const ConvexRoots<T> roots{select(side_in, in, z_in), select(side_out, out, z_out),
                                (in_tube && max(in, z_in) <= min(out, z_out)) || rel.on};
