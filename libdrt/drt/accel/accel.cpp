@@ -20,7 +20,8 @@ namespace {
 
 constexpr int far_body = std::numeric_limits<int>::max();  // "no hit yet" loses every tie
 
-// Two surfaces closer than this (relative to the distance) are one: the tie goes to the lower id.
+// Two surfaces closer than this (relative to the distance), beyond the rounding of the coordinates (below), are one:
+// the tie goes to the lower id.
 template <class Real>
 constexpr Real tie_tolerance = 4 * std::numeric_limits<Real>::epsilon();
 
@@ -92,10 +93,10 @@ ShapeHit<T> hit_body(const BodyTable<Real>& table, const BodyGroup& g, int body,
 }
 
 template <class T>
-MaskOf<T> is_closer(const T& t, int body, const T& best_t, const Rebind<T, int>& best_body) {
-    using Real = ScalarOf<T>;
+MaskOf<T> is_closer(const T& t, int body, const T& best_t, const Rebind<T, int>& best_body, const T& rounding) {
+    const T tie = t * T(tie_tolerance<ScalarOf<T>>) + rounding;
     const auto wins_tie = mask_cast<T>(Rebind<T, int>(body) < best_body);
-    return t < best_t * T(1 - tie_tolerance<Real>) || (wins_tie && t < best_t * T(1 + tie_tolerance<Real>));
+    return t < best_t - tie || (wins_tie && t < best_t + tie);
 }
 
 // Embree culls by its float tfar: a little beyond the true distance, so that ties still reach the callback.
@@ -138,7 +139,7 @@ typename Pack<Real>::Mask nearest_in_lanes(const Group<Real>& g, int body, const
     using I = typename Pack<Real>::I;
     HitPacket<Real>& h = *q.hits;
     const ShapeHit<R> s = hit_body<kind, moving>(*g.table, g.group, body, all_lanes(q));
-    const auto take = s.valid && mask_cast<R>(valid) && is_closer(s.t, body, h.t, h.body);
+    const auto take = s.valid && mask_cast<R>(valid) && is_closer(s.t, body, h.t, h.body, q.tmin);
     const auto take_i = mask_cast<I>(take);
     h.t = select(take, s.t, h.t);
     h.ng = select(take, s.ng, h.ng);
@@ -151,7 +152,7 @@ template <ShapeKind kind, bool moving, class Real>
 bool nearest_in_lane(const Group<Real>& g, int body, const Query<Real>& q, int i) {
     HitPacket<Real>& h = *q.hits;
     const ShapeHit<Real> s = hit_body<kind, moving>(*g.table, g.group, body, one_lane(q, i));
-    if (!s.valid || !is_closer(s.t, body, lane(h.t, i), lane(h.body, i))) return false;
+    if (!s.valid || !is_closer(s.t, body, lane(h.t, i), lane(h.body, i), lane(q.tmin, i))) return false;
     h.t[i] = s.t;
     h.ng.x[i] = s.ng.x;
     h.ng.y[i] = s.ng.y;
@@ -225,13 +226,6 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) {
 }
 
 // ---- infinite planes ---------------------------------------------------------------------------------------------
-
-template <class Real>
-BodyGroup single_plane_group(const BodyTable<Real>& table) {
-    BodyGroup g = table.plane_group;
-    g.first_shape = 0;
-    return g;
-}
 
 template <class Real>
 bool plane_moves(const BodyTable<Real>& table, int body) {
@@ -337,10 +331,10 @@ typename Pack<Real>::Mask traceable(const RayPacket<Real>& r) {
     using R = typename Pack<Real>::R;
     using F = typename Pack<Real>::F;
     using std::abs;
-    const R largest = max(abs(r.o.x), max(abs(r.o.y), abs(r.o.z)));
+    const R limit(Real{embree_limit});
     const R d2 = dot(r.d, r.d);
-    const auto origin_ok =
-        abs(r.o.x) <= R(Real(embree_limit)) && abs(r.o.y) <= R(Real(embree_limit)) && largest <= R(Real(embree_limit));
+    // each coordinate by itself: a maximum of them may drop a NaN
+    const auto origin_ok = abs(r.o.x) <= limit && abs(r.o.y) <= limit && abs(r.o.z) <= limit;
     return mask_cast<F>(origin_ok && d2 > R(Real(0.99)) && d2 < R(Real(1.01)) && r.tmax >= R(0)) && r.time >= F(0) &&
            r.time <= F(1);
 }
@@ -406,12 +400,14 @@ struct Accel<Real>::Impl {
 
 namespace {
 
-// Bounds rounded outward to float, with a margin for the rounding of the intersection itself.
+// Bounds rounded outward to float. The margin is for rays whose float copy, which walks the BVH, passes beside the true
+// one: by 2.4e-7 of the length travelled from far away (so a body is exact seen from 10^4 times its size, all that
+// float scenes have), and by the rounding of coordinates from close by.
 float round_down(double v) { return std::nextafter(float(v), -std::numeric_limits<float>::infinity()); }
 float round_up(double v) { return std::nextafter(float(v), std::numeric_limits<float>::infinity()); }
 
 RTCBounds to_embree(const Bounds& b) {
-    const double margin = 1e-6 * (length(b.upper - b.lower) + 0.25 * (length(b.lower) + length(b.upper)));
+    const double margin = 1e-3 * length(b.upper - b.lower) + 2.5e-7 * (length(b.lower) + length(b.upper));
     RTCBounds out{};
     out.lower_x = round_down(b.lower.x - margin);
     out.lower_y = round_down(b.lower.y - margin);
