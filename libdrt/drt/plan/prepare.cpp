@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "drt/formats/formats.h"
@@ -150,6 +151,13 @@ Scale scale_of(const CylinderShape<double>& s) {
 }
 Scale scale_of(const PlaneShape<double>&) { return {1, 1}; }
 
+// Calls f with where the body's centre is; for a moving body, where the pieces of its path begin and end.
+template <class F>
+void visit_centers(const BodyInput& b, F f) {
+    if (b.path.empty()) return f(b.center);
+    for (const MotionPiece<double>& p : b.path) f(p.c0), f(p.c0 + p.c1 + p.c2 + p.c3);
+}
+
 bool is_plane(const BodyInput& b) { return std::holds_alternative<PlaneShape<double>>(b.shape); }
 
 }  // namespace
@@ -158,10 +166,11 @@ std::string needs_double(const PreparedScene& p) {
     constexpr double limit = 1e4;            // relative error of a hit point on its shape: limit * 2^-24 = 6e-4
     constexpr double smallest_pixel = 2e-5;  // radians: 300 float steps of a unit direction
     double reach = 0;                        // the longest coordinate that a ray can have, planes aside
-    for (const BodyInput& b : p.bodies)
-        if (!is_plane(b))
-            reach = std::max(reach,
-                             length(b.center) + std::visit([](const auto& s) { return scale_of(s).largest; }, b.shape));
+    for (const BodyInput& b : p.bodies) {
+        if (is_plane(b)) continue;
+        const double size = std::visit([](const auto& s) { return scale_of(s).largest; }, b.shape);
+        visit_centers(b, [&](const Vec3d& center) { reach = std::max(reach, length(center) + size); });
+    }
     for (const BodyInput& b : p.bodies) {
         if (is_plane(b)) continue;
         const Scale s = std::visit([](const auto& shape) { return scale_of(shape); }, b.shape);
@@ -169,7 +178,8 @@ std::string needs_double(const PreparedScene& p) {
             return fmt::format("a body of size {:.3g} in a scene of size {:.3g}", s.smallest, reach);
         // Seen from close up, a sphere's surface must be exact against the eye's distance to it, not its radius.
         if (const auto* sphere = std::get_if<SphereShape<double>>(&b.shape)) {
-            const double gap = std::abs(length(b.center) - sphere->radius);
+            double gap = std::numeric_limits<double>::infinity();
+            visit_centers(b, [&](const Vec3d& c) { gap = std::min(gap, std::abs(length(c) - sphere->radius)); });
             if (sphere->radius > limit * gap)
                 return fmt::format("a sphere of radius {:.3g} seen from {:.3g}", sphere->radius, gap);
         }
