@@ -105,7 +105,7 @@ void check_random_shapes(int which, double largest_distance) {
     Outcome out;
     int rays = 0;
     for (double distance = 0.2; distance <= largest_distance; distance *= 10)
-        for (int shape = 0; shape < 40; ++shape) {
+        for (int shape = 0; shape < 20; ++shape) {
             const AnyShape any_shape = test::random_shape(r, which);
             for (int i = 0; i < 25; ++i, ++rays) {
                 const RayOf<Real> ray = aimed_ray<Real>(r, distance);

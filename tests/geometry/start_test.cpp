@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <limits>
 
 #include "drt/geometry/intersect.h"
@@ -152,6 +153,31 @@ TEST(Start, ASphereIsLeftAtTheEndOfTheChord) {
             worst = std::max(worst, std::abs(h.t - 4 * cosine));
         }
         EXPECT_LE(worst, offset == 0 ? 2e-15 : 1e-9) << offset;
+    }
+}
+
+// Why there is no fixed distance to keep: too small and rays hit where they start, too large and they miss the exit.
+TEST(Start, AnyFixedDistanceFails) {
+    for (const float tmin : {1e-5f, 1e-4f, 1e-3f, 1e-2f}) {
+        int self_hits = 0, lost = 0, rays = 0;
+        Random r(31);
+        for (const double offset : {0.0, 1e2, 3e3})
+            for (int i = 0; i < 20000; ++i, ++rays) {
+                const Vec3f center(r.direction() * offset);
+                const Vec3f eye = center + Vec3f(r.direction() * 10.0);
+                const Vec3f d = normalize(center + Vec3f(r.in_box(0.5)) - eye);
+                const SphereShape<float> s{1};
+                const Relation<float> free{false, false, 0};
+                const ShapeHit<float> h = intersect<float>(s, eye - center, d, free, 0.0f, 1e30f);
+                const Vec3f o = eye + d * h.t - center, next(r.direction());
+                const bool hit = intersect<float>(s, o, next, free, tmin, 1e30f).valid;
+                const bool outward = dot(next, o) > 0;
+                self_hits += outward && hit;
+                lost += !outward && !hit;
+            }
+        EXPECT_GT(self_hits + lost, 0) << tmin;
+        std::printf("tmin %g: %.3f %% hit where they start, %.3f %% miss the exit\n", double(tmin),
+                    100.0 * self_hits / rays, 100.0 * lost / rays);
     }
 }
 
