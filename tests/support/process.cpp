@@ -12,6 +12,7 @@
 #include <sstream>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace drt::test {
 namespace {
@@ -91,20 +92,37 @@ std::string read_bytes(const std::string& path) {
     return out.str();
 }
 
+RunningProcess::RunningProcess(const std::string& program, const std::vector<std::string>& arguments,
+                               const ProcessOptions& options)
+    : options_(options) {
+    FileActions actions;
+    const std::string out = options.stdout_file.empty() ? streams_.file("out") : options.stdout_file;
+    actions.open(STDIN_FILENO, "/dev/null", O_RDONLY);
+    actions.open(STDOUT_FILENO, out, O_WRONLY | O_CREAT | O_TRUNC);
+    actions.open(STDERR_FILENO, streams_.file("err"), O_WRONLY | O_CREAT | O_TRUNC);
+    if (!options.folder.empty()) actions.change_folder(options.folder);
+    pid_ = spawn(program, arguments, actions);
+}
+
+RunningProcess::~RunningProcess() {
+    if (pid_ == 0) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+}
+
+void RunningProcess::send(int signal) const { check(kill(pid_, signal) == 0 ? 0 : errno, "kill"); }
+
+ProcessResult RunningProcess::wait() {
+    ProcessResult result;
+    wait_for(std::exchange(pid_, 0), options_.timeout, result);
+    if (options_.stdout_file.empty()) result.out = read_bytes(streams_.file("out"));
+    result.err = err_so_far();
+    return result;
+}
+
 ProcessResult run_process(const std::string& program, const std::vector<std::string>& arguments,
                           const ProcessOptions& options) {
-    const TempFolder streams;
-    FileActions actions;
-    const bool keep_stdout = !options.stdout_file.empty();
-    actions.open(STDIN_FILENO, "/dev/null", O_RDONLY);
-    actions.open(STDOUT_FILENO, keep_stdout ? options.stdout_file : streams.file("out"), O_WRONLY | O_CREAT | O_TRUNC);
-    actions.open(STDERR_FILENO, streams.file("err"), O_WRONLY | O_CREAT | O_TRUNC);
-    if (!options.folder.empty()) actions.change_folder(options.folder);
-    ProcessResult result;
-    wait_for(spawn(program, arguments, actions), options.timeout, result);
-    if (!keep_stdout) result.out = read_bytes(streams.file("out"));
-    result.err = read_bytes(streams.file("err"));
-    return result;
+    return RunningProcess(program, arguments, options).wait();
 }
 
 }  // namespace drt::test

@@ -40,6 +40,24 @@ struct ProcessOptions {
     double timeout = 60;      ///< seconds, then SIGKILL
 };
 
+/// A program that is still running, started as run_process() does.
+class RunningProcess {
+public:
+    RunningProcess(const std::string& program, const std::vector<std::string>& arguments, const ProcessOptions& = {});
+    ~RunningProcess();  ///< kills it if nobody has waited for it
+    RunningProcess(const RunningProcess&) = delete;
+    RunningProcess& operator=(const RunningProcess&) = delete;
+
+    void send(int signal) const;
+    std::string err_so_far() const { return read_bytes(streams_.file("err")); }
+    ProcessResult wait();
+
+private:
+    TempFolder streams_;
+    ProcessOptions options_;
+    int pid_ = 0;
+};
+
 /// Runs a program (no shell, the environment is passed on, no standard input) and waits for its end.
 /// Throws std::system_error when it cannot be started.
 ProcessResult run_process(const std::string& program, const std::vector<std::string>& arguments,
