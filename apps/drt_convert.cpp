@@ -1,12 +1,8 @@
 // drt-convert: a scene of either format -> the same scene in YAML.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <new>
 #include <span>
@@ -14,6 +10,7 @@
 
 #include "apps/exit_codes.h"
 #include "apps/legacy_options.h"
+#include "apps/standard_streams.h"
 #include "drt/base/atomic_file.h"
 #include "drt/base/version.h"
 #include "drt/formats/formats.h"
@@ -31,7 +28,7 @@ struct Arguments {
 
 void print(const Diagnostics& diagnostics, Severity least) {
     for (const Diagnostic& d : diagnostics)
-        if (d.severity >= least) fmt::print(stderr, "{}\n", to_string(d));
+        if (d.severity >= least) write_stderr(to_string(d) + '\n');
 }
 
 /// Files that the scene names and that are not there. Rendering needs them, converting does not.
@@ -58,12 +55,6 @@ std::string header(const Arguments& args, const SceneRead& read) {
         out += '\n' + to_string(d);
     }
     return out;
-}
-
-void write_stdout(const std::string& text) {
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    if (!written)
-        throw Error(ErrorKind::output, fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
 }
 
 void write_file(const std::string& path, const std::string& text) {
@@ -135,9 +126,9 @@ int run(int argc, char** argv) {
         print(e.diagnostics(), args.quiet ? Severity::error : Severity::warning);
         return exit_code(e.kind());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "error: out of memory\n");
+        write_stderr("error: out of memory\n");
     } catch (const std::exception& e) {
-        fmt::print(stderr, "error: internal: {}\n", e.what());
+        write_stderr(fmt::format("error: internal: {}\n", e.what()));
     }
     return exit_internal;
 }
@@ -145,4 +136,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace drt
 
-int main(int argc, char** argv) { return drt::run(argc, argv); }
+int main(int argc, char** argv) {
+    drt::prepare_standard_streams();
+    return drt::run(argc, argv);
+}

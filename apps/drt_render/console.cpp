@@ -1,11 +1,15 @@
 #include "console.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 #include <osmium/util/progress_bar.hpp>
+#include <string_view>
+
+#include "apps/standard_streams.h"
 
 namespace drt {
 
@@ -14,27 +18,46 @@ namespace {
 constexpr size_t bar_units = 1000;
 constexpr double seconds_between_lines = 2;
 
-void print_line(const std::string& line) {
-    fmt::print(stderr, "{}\n", line);
-    std::fflush(stderr);
+constexpr int bar_columns = 79;
+
+// Can the bar be drawn and redrawn in place? A narrower terminal would wrap it.
+bool shows_bar(int stream) {
+    const char* terminal = std::getenv("TERM");
+    if (!isatty(stream) || !terminal || std::string_view(terminal) == "dumb") return false;
+    winsize size{};
+    const bool known = ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return !known || size.ws_col >= bar_columns;
 }
 
 ProgressStyle resolve(ProgressStyle style, bool quiet) {
     if (quiet) return ProgressStyle::none;
     if (style != ProgressStyle::automatic) return style;
-    return isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::plain;
+    return shows_bar(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::plain;
 }
 
 }  // namespace
 
 struct Console::Bar : osmium::ProgressBar {
     Bar() : ProgressBar(bar_units, true) {}
+    // The library's bar ends by showing 100 %, which is not true of a render that was stopped. A disabled one ends in
+    // silence.
+    ~Bar() {
+        remove();
+        static_cast<ProgressBar&>(*this) = ProgressBar(bar_units, false);
+    }
+    Bar(const Bar&) = delete;
+    Bar& operator=(const Bar&) = delete;
 };
 
 Console::Console(bool quiet, bool verbose, ProgressStyle style)
     : quiet_(quiet), verbose_(verbose), style_(resolve(style, quiet)) {}
 
 Console::~Console() = default;
+
+void Console::print_line(const std::string& line) {
+    if (bar_) bar_->remove();  // it comes back with the next progress
+    write_stderr(line + '\n');
+}
 
 void Console::print(const Diagnostics& ds) {
     for (const Diagnostic& d : ds)
@@ -62,10 +85,7 @@ void Console::progress(const Progress& p) {
 }
 
 void Console::end_progress() {
-    if (bar_) {
-        bar_->remove();
-        bar_.reset();
-    }
+    bar_.reset();
     last_line_ = 0;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What a run prints: progress, notes, the summary. Everything goes to stderr, a flushed line at a time.
+// What a run prints: progress, notes, the summary. Everything goes to stderr, a flushed line at a time, and never
+// fails: nobody loses a picture because a log could not be written.
 
 #include <memory>
 #include <string>
@@ -22,10 +23,11 @@ public:
     void verbose(const std::string& line);  ///< when verbose
 
     void progress(const Progress&);
-    void end_progress();
+    void end_progress();  ///< takes the bar off the terminal
 
 private:
     struct Bar;
+    void print_line(const std::string&);
     bool quiet_, verbose_;
     ProgressStyle style_;
     std::unique_ptr<Bar> bar_;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <regex>
+#include <optional>
+#include <string_view>
+#include <unordered_set>
 
 #include "drt/base/diagnostic.h"
 
@@ -13,52 +15,111 @@ namespace drt {
 
 namespace {
 
-constexpr int most_frames = 1000000;
+constexpr size_t most_frames = 1000000;
+constexpr int most_digits = 20;
 
-[[noreturn]] void bad_frames(const std::string& text) {
-    throw Error(ErrorKind::usage,
-                {{Severity::error, {}, "bad frame list", text, "N, A-B or A-B:STEP, separated by commas", ""}});
+[[noreturn]] void bad_frames(const std::string& text, const std::string& expected) {
+    throw Error(ErrorKind::usage, {{Severity::error, {}, "bad frame list", text, expected, ""}});
 }
 
-int to_frame(const std::string& digits, const std::string& whole) {
+// Takes digits from the front of `text`; nothing when there are none or too many for an int.
+std::optional<int> take_number(std::string_view& text) {
     int value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size()) bad_frames(whole);
+    if (text.empty() || text.front() == '-') return {};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc()) return {};
+    text.remove_prefix(size_t(end - text.data()));
     return value;
+}
+
+bool take(std::string_view& text, char c) {
+    if (!text.starts_with(c)) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+struct Range {
+    int first = 0, last = 0, step = 1;
+};
+
+// "7", "1-100" or "1-100:2".
+std::optional<Range> parse_range(std::string_view text) {
+    const auto first = take_number(text);
+    if (!first) return {};
+    Range r{*first, *first, 1};
+    if (take(text, '-')) {
+        const auto last = take_number(text);
+        if (!last || *last < r.first) return {};
+        r.last = *last;
+        if (take(text, ':')) {
+            const auto step = take_number(text);
+            if (!step || *step < 1) return {};
+            r.step = *step;
+        }
+    }
+    if (!text.empty()) return {};
+    return r;
+}
+
+// The length of a frame token at the front of `text` and how many digits it asks for; length 0 when there is none.
+struct Token {
+    size_t length = 0;
+    int digits = 0;
+};
+
+Token frame_token(std::string_view text) {
+    const size_t hashes = std::min(text.find_first_not_of('#'), text.size());
+    if (hashes > 0) return {hashes, int(std::min(hashes, size_t(most_digits)))};
+    std::string_view rest = text;
+    if (!take(rest, '%')) return {};
+    const int digits = take_number(rest).value_or(1);
+    if (!take(rest, 'd')) return {};
+    return {text.size() - rest.size(), std::clamp(digits, 1, most_digits)};
 }
 
 }  // namespace
 
+int parse_frame(const std::string& text) {
+    std::string_view rest = text;
+    const auto frame = take_number(rest);
+    if (!frame || !rest.empty())
+        throw Error(ErrorKind::usage, {{Severity::error, {}, "bad frame", text, "one number >= 0", ""}});
+    return *frame;
+}
+
 std::vector<int> parse_frames(const std::string& text) {
-    static const std::regex part(R"((\d+)(?:-(\d+)(?::(\d+))?)?)");
+    const std::string form = "N, A-B or A-B:STEP, separated by commas";
     std::vector<int> frames;
+    std::unordered_set<int> seen;
     size_t begin = 0;
     while (begin <= text.size()) {
         const size_t comma = std::min(text.find(',', begin), text.size());
-        const std::string item = text.substr(begin, comma - begin);
-        std::smatch m;
-        if (!std::regex_match(item, m, part)) bad_frames(text);
-        const int first = to_frame(m[1], text);
-        const int last = m[2].matched ? to_frame(m[2], text) : first;
-        const int step = m[3].matched ? to_frame(m[3], text) : 1;
-        if (last < first || step < 1 || (last - first) / step > most_frames) bad_frames(text);
-        for (int f = first; f <= last && f >= first; f += step)
-            if (std::find(frames.begin(), frames.end(), f) == frames.end()) frames.push_back(f);
+        const auto r = parse_range(std::string_view(text).substr(begin, comma - begin));
+        if (!r) bad_frames(text, form);
+        for (long long f = r->first; f <= r->last; f += r->step) {
+            if (!seen.insert(int(f)).second) continue;
+            if (frames.size() == most_frames) bad_frames(text, fmt::format("at most {} frames", most_frames));
+            frames.push_back(int(f));
+        }
         begin = comma + 1;
     }
     return frames;
 }
 
 std::string frame_path(const std::string& pattern, int frame, bool several_frames) {
-    static const std::regex hashes("#+"), printf_token("%0?(\\d*)d");
-    std::smatch m;
-    if (std::regex_search(pattern, m, hashes))
-        return fmt::format("{}{:0{}}{}", m.prefix().str(), frame, m.length(), m.suffix().str());
-    if (std::regex_search(pattern, m, printf_token)) {
-        const int digits = m[1].length() > 0 ? std::min(std::stoi(m[1]), 20) : 1;
-        return fmt::format("{}{:0{}}{}", m.prefix().str(), frame, digits, m.suffix().str());
+    std::string path;
+    bool found = false;
+    for (size_t at = 0; at < pattern.size();) {
+        const Token token = frame_token(std::string_view(pattern).substr(at));
+        if (token.length == 0) {
+            path += pattern[at++];
+            continue;
+        }
+        path += fmt::format("{:0{}}", frame, token.digits);
+        at += token.length;
+        found = true;
     }
-    if (!several_frames) return pattern;
+    if (found || !several_frames) return path;
     const std::filesystem::path p(pattern);
     return (p.parent_path() / fmt::format("{}.{:04}{}", p.stem().string(), frame, p.extension().string())).string();
 }

@@ -4,13 +4,15 @@
 
 #include <csignal>
 #include <new>
+#include <optional>
+#include <string>
 
-#include "../exit_codes.h"
+#include "apps/exit_codes.h"
+#include "apps/standard_streams.h"
 #include "console.h"
-#include "drt/base/version.h"
+#include "drt/plan/exposure.h"
 #include "drt/render/render.h"
 #include "drt/scene/preview.h"
-#include "frames.h"
 #include "options.h"
 #include "output.h"
 #include "signals.h"
@@ -26,70 +28,114 @@ SceneDesc apply(const RenderArguments& a, SceneDesc scene) {
     r.max_depth = a.overrides.max_depth.value_or(r.max_depth);
     r.width = a.overrides.width.value_or(r.width);
     r.height = a.overrides.height.value_or(r.height);
-    const Diagnostics wrong = validate(scene);
+    Diagnostics wrong = validate(scene);
+    for (Diagnostic& d : wrong) d.where = {};  // the scene was valid: it is the command line's doing
     if (has_errors(wrong)) throw Error(ErrorKind::usage, wrong);
     return scene;
 }
 
-RenderEvents events_for(const RenderArguments& a, const OutputInfo& info, Console& console) {
+// What is rendered, the same for every frame.
+struct Job {
+    const RenderArguments& arguments;
+    const SceneDesc& scene;
+    Console& console;
+    std::string hash;
+};
+
+RenderPlan plan_frame(const Job& job, int frame) {
+    const RenderArguments& a = job.arguments;
+    PlanOptions options = a.plan;
+    options.frame = frame;
+    RenderPlan plan = compile(job.scene, options);
+    job.console.print(plan.notes);
+    if (a.explain)
+        write_stdout((a.frames.size() > 1 ? fmt::format("frame {}:\n", frame) : "") + explain_text(plan.explanation));
+    return plan;
+}
+
+RenderEvents events_for(const Job& job, const OutputInfo& info) {
     RenderEvents events;
-    events.progress = [&console](const Progress& p) { console.progress(p); };
-    if (a.snapshot)
-        events.pass_done = [&console, info, writer = SnapshotWriter(*a.snapshot, a.display)](
+    events.progress = [&job](const Progress& p) { job.console.progress(p); };
+    if (const auto snapshot = frame_snapshot(job.arguments, info.frame))
+        events.pass_done = [&job, info, writer = SnapshotWriter(*snapshot, job.arguments.display)](
                                const Film& film, const Progress& p) mutable {
             // A snapshot that fails costs nobody a render: the final write will fail or succeed on its own.
             try {
                 writer.pass_done(film, p, info);
             } catch (const Error& e) {
-                console.note(std::string("warning: snapshot: ") + e.what());
+                job.console.note(std::string("warning: snapshot: ") + e.what());
             }
         };
     return events;
 }
 
-void render_frame(const RenderArguments& a, const SceneDesc& scene, int frame, Console& console) {
-    PlanOptions plan_options = a.plan;
-    plan_options.frame = frame;
-    const RenderPlan plan = compile(scene, plan_options);
-    console.print(plan.notes);
-    if (a.explain) fmt::print("{}", explain_text(plan.explanation));
-    if (a.outputs.empty()) return;
+// Every picture is tried: one full disk must not cost what another has room for. Throws the first failure.
+void write_outputs(const Job& job, const OutputInfo& info, const RenderResult& result) {
+    const Image picture = resolve(result.film);
+    std::optional<Error> failure;
+    for (const std::string& path : output_paths(job.arguments, info.frame)) {
+        try {
+            write_image(path, picture, metadata(info, result), job.arguments.display);
+            job.console.note(fmt::format("wrote {}", path));
+        } catch (const Error& e) {
+            if (failure)
+                job.console.note(e.what());
+            else
+                failure = e;
+        }
+    }
+    if (failure) throw *failure;
+}
+
+void render_frame(const Job& job, int frame) {
+    const RenderArguments& a = job.arguments;
+    for (const std::string& path : output_paths(a, frame)) check_writable(path);
+    const RenderPlan plan = plan_frame(job, frame);
     RenderOptions options;
-    options.spp = scene.render.spp;
+    options.spp = job.scene.render.spp;
     options.time_limit = a.time_limit;
     options.threads = a.threads;
     options.stop = &stop_requested();
-    OutputInfo info{scene_hash(scene), frame, &plan, scene.render.seed};
-    const RenderResult result = render(plan, options, events_for(a, info, console));
-    console.end_progress();
-    for (const std::string& pattern : a.outputs) {
-        const std::string path = frame_path(pattern, frame, a.frames.size() > 1);
-        write_image(path, resolve(result.film), metadata(info, result), a.display);
-        console.note(fmt::format("wrote {}", path));
+    const OutputInfo info{job.hash, frame, &plan, job.scene.render.seed};
+    const RenderResult result = render(plan, options, events_for(job, info));
+    job.console.end_progress();
+    if (result.counters.camera_rays == 0) {  // stopped before the first ray: an old picture is worth more than none
+        job.console.note("interrupted before the first sample; nothing written");
+        return;
     }
-    console.note(summary(plan, result, a.verbose));
+    write_outputs(job, info, result);
+    job.console.note(summary(plan, result, a.verbose));
+}
+
+void run_frames(const Job& job) {
+    const RenderArguments& a = job.arguments;
+    for (const int frame : a.frames) exposure_of_frame(job.scene, frame, a.plan.camera);  // throws if none records it
+    if (a.check || a.outputs.empty()) {
+        for (size_t i = 0; i < (a.explain ? a.frames.size() : 1); ++i) plan_frame(job, a.frames[i]);
+        return;
+    }
+    install_signal_handlers();
+    for (const int frame : a.frames) {
+        render_frame(job, frame);
+        if (received_signal() != 0) return;
+    }
 }
 
 int run_program(int argc, char** argv) {
+    prepare_standard_streams();
     int code = exit_ok;
     const auto parsed = parse_arguments(argc, argv, &code);
     if (!parsed) return code;
     const RenderArguments& a = *parsed;
     Console console(a.quiet, a.verbose, a.progress);
-    for (const std::string& o : a.outputs)
-        for (const int f : a.frames) check_writable(frame_path(o, f, a.frames.size() > 1));
-    if (a.snapshot) check_writable(a.snapshot->path);
+    const FileSet outputs = check_outputs(a);
     const SceneRead read = read_scene(a.scene, a.legacy);
     console.print(read.notes);
     const SceneDesc scene = apply(a, read.scene);
-    if (a.check) return exit_ok;
-    install_signal_handlers();
-    for (const int frame : a.frames) {
-        render_frame(a, scene, frame, console);
-        if (received_signal() == SIGTERM) return exit_terminated;
-        if (received_signal() != 0) return 128 + received_signal();
-    }
-    return exit_ok;
+    check_textures_kept(outputs, scene);
+    run_frames({a, scene, console, scene_hash(scene)});
+    if (received_signal() == SIGTERM) return exit_terminated;
+    return received_signal() != 0 ? 128 + received_signal() : exit_ok;
 }
 
 }  // namespace
@@ -99,13 +145,13 @@ int main(int argc, char** argv) {
     try {
         return drt::run_program(argc, argv);
     } catch (const drt::Error& e) {
-        fmt::print(stderr, "{}\n", e.what());
+        drt::write_stderr(std::string(e.what()) + '\n');
         return drt::exit_code(e.kind());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "error: out of memory\n");
+        drt::write_stderr("error: out of memory\n");
         return drt::exit_code(drt::ErrorKind::memory);
     } catch (const std::exception& e) {
-        fmt::print(stderr, "internal error: {}\n", e.what());
+        drt::write_stderr(std::string("internal error: ") + e.what() + '\n');
         return drt::exit_internal;
     }
 }

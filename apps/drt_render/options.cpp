@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <map>
+#include <sstream>
 
-#include "../legacy_options.h"
+#include "apps/legacy_options.h"
+#include "apps/standard_streams.h"
 #include "drt/base/version.h"
 #include "frames.h"
 
@@ -18,91 +20,141 @@ namespace {
     throw Error(ErrorKind::usage, {{Severity::error, {}, what, text, expected, ""}});
 }
 
-double to_number(const std::string& text, const std::string& option, const std::string& expected) {
-    double v = 0;
+template <class T>
+std::optional<T> read_number(const std::string& text) {
+    T v{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v);
-    if (error != std::errc() || end != text.data() + text.size() || !(v >= 0) || v > 1e9)
-        usage_error("bad value for " + option, text, expected);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
     return v;
 }
 
-// "90", "90s", "1.5m", "2h"
-double parse_duration(const std::string& text, const std::string& option) {
-    static const std::map<char, double> units{{'s', 1}, {'m', 60}, {'h', 3600}};
-    const auto unit = text.empty() ? units.end() : units.find(text.back());
-    const std::string digits = unit == units.end() ? text : text.substr(0, text.size() - 1);
-    return to_number(digits, option, "a duration such as 90, 90s, 1.5m or 2h") *
-           (unit == units.end() ? 1 : unit->second);
+template <class T>
+T to_number(const std::string& text, T least, T most, const std::string& option, const std::string& expected) {
+    const auto v = read_number<T>(text);
+    if (!v || !(*v >= least && *v <= most)) usage_error("bad value for " + option, text, expected);
+    return *v;
 }
 
+template <class T>
+T to_number(const std::string& text, T least, T most, const std::string& option) {
+    return to_number(text, least, most, option, fmt::format("a number from {} to {}", least, most));
+}
+
+// "90", "90s", "1.5m", "2h" in seconds.
+std::optional<double> read_duration(const std::string& text) {
+    static const std::map<char, double> units{{'s', 1}, {'m', 60}, {'h', 3600}};
+    const auto unit = text.empty() ? units.end() : units.find(text.back());
+    const auto v = read_number<double>(unit == units.end() ? text : text.substr(0, text.size() - 1));
+    if (!v || !(*v >= 0 && *v <= 1e9)) return {};
+    return *v * (unit == units.end() ? 1 : unit->second);
+}
+
+double parse_time_limit(const std::string& text) {
+    const auto seconds = read_duration(text);
+    if (!seconds || *seconds == 0)
+        usage_error("bad value for --time-limit", text, "a duration > 0 such as 90, 90s, 1.5m or 2h");
+    return *seconds;
+}
+
+// What follows the last colon is the interval if it can be; "a:b.png" is a path.
 Snapshot parse_snapshot(const std::string& text) {
     const size_t colon = text.rfind(':');
     if (colon == std::string::npos) return {text, 0};
-    return {text.substr(0, colon), parse_duration(text.substr(colon + 1), "--snapshot")};
+    const auto interval = read_duration(text.substr(colon + 1));
+    return interval ? Snapshot{text.substr(0, colon), *interval} : Snapshot{text, 0};
 }
 
 void parse_resolution(const std::string& text, Overrides& o) {
+    const std::string expected = "WIDTHxHEIGHT in pixels, such as 640x480, each from 1 to 65536";
     const size_t x = text.find('x');
-    const std::string expected = "WIDTHxHEIGHT in pixels, such as 640x480";
-    if (x == std::string::npos) usage_error("bad resolution", text, expected);
-    o.width = int(to_number(text.substr(0, x), "--resolution", expected));
-    o.height = int(to_number(text.substr(x + 1), "--resolution", expected));
+    if (x == std::string::npos) usage_error("bad value for --resolution", text, expected);
+    o.width = to_number(text.substr(0, x), 1, 65536, "--resolution", expected);
+    o.height = to_number(text.substr(x + 1), 1, 65536, "--resolution", expected);
 }
 
 // The command line as text, before it is taken apart.
 struct Texts {
-    std::string scene, legacy_scene, frames, frame, time_limit, snapshot, resolution, missing, plan, precision,
-        progress;
+    std::string scene, legacy_scene, missing, plan, precision, progress;
+    std::optional<std::string> frames, frame, time_limit, snapshot, resolution, spp, seed, max_depth, threads, exposure;
 };
 
-void add_options(CLI::App& app, RenderArguments& a, Texts& t) {
-    app.add_option("scene", t.scene, "Scene file: YAML (.yaml, .yml) or legacy text");
-    app.add_option("-s,--scene", t.legacy_scene, "The same, as the 2008 program took it");
+const char* const exit_codes =
+    "Ctrl-C and SIGTERM finish the tiles at hand and write the picture; a second one ends the program at once.\n"
+    "Exit codes: 0 done, 1 internal error, 2 wrong command line, 3 invalid scene, 4 input missing or unreadable,\n"
+    "5 output not writable, 75 stopped by SIGTERM, 130 stopped by Ctrl-C";
+
+void add_output_options(CLI::App& app, RenderArguments& a, Texts& t) {
     app.add_option("-o,--output", a.outputs,
                    "Picture to write: .exr scene-linear, .png .bmp .jpg through the display transform; may be given "
-                   "several times; #### or %04d becomes the frame number");
-    app.add_option("-f,--frame", t.frame, "Frame to render (default 0)");
-    app.add_option("--frames", t.frames, "Frames to render: A-B, A-B:STEP, or a list such as 1-10,20");
-    app.add_option("-c,--camera", a.plan.camera, "Camera to use (default: the one that records the frame)");
-    app.add_flag("-p,--preview", a.preview, "Leave out all distributed effects");
+                   "several times. #### or %04d becomes the frame number. Always a file: pictures replace their old "
+                   "version at once when complete, so - (the standard output) is refused")
+        ->option_text("FILE")
+        ->allow_extra_args(false);
+    app.add_option("-r,--resolution", t.resolution, "Picture size in pixels")->option_text("WIDTHxHEIGHT");
+    app.add_option("--exposure", t.exposure, "Stops, for display pictures (PNG, JPEG, BMP)")->option_text("STOPS");
+    app.add_option("--snapshot", t.snapshot, "Write the picture so far, every SECONDS or after each pass")
+        ->option_text("FILE[:SECONDS]");
+}
 
-    app.add_option("--spp", a.overrides.spp, "Samples per pixel")->check(CLI::Range(1, 1 << 24));
-    app.add_option("--time-limit", t.time_limit, "Stop a frame after this long: 90, 90s, 1.5m, 2h");
-    app.add_option("--seed", a.overrides.seed, "Seed of the sample points");
-    app.add_option("--max-depth", a.overrides.max_depth, "Reflections and refractions in a row")
-        ->check(CLI::Range(0, 10000));
-    app.add_option("-r,--resolution", t.resolution, "Picture size, WIDTHxHEIGHT");
-    app.add_option("--exposure", a.display.exposure, "Stops, for display pictures (PNG, JPEG, BMP)");
-    app.add_option("--snapshot", t.snapshot,
-                   "FILE[:SECONDS]: write the picture so far, every SECONDS or after each pass");
+void add_frame_options(CLI::App& app, RenderArguments& a, Texts& t) {
+    app.add_option("-f,--frame", t.frame, "Frame to render (default 0)")->option_text("N");
+    app.add_option("--frames", t.frames, "Frames to render: A-B, A-B:STEP, or a list such as 1-10,20")
+        ->option_text("LIST");
+    app.add_option("-c,--camera", a.plan.camera, "Camera to use (default: the one that records the frame)")
+        ->option_text("NAME");
+    app.add_flag("-p,--preview", a.preview, "Leave out all distributed effects");
+}
+
+void add_quality_options(CLI::App& app, Texts& t) {
+    app.add_option("--spp", t.spp, "Samples per pixel")->option_text("N");
+    app.add_option("--time-limit", t.time_limit,
+                   "Stop a frame after this long: 90, 90s, 1.5m, 2h; one sample per "
+                   "pixel is always taken")
+        ->option_text("T");
+    app.add_option("--seed", t.seed, "Seed of the sample points")->option_text("N");
+    app.add_option("--max-depth", t.max_depth, "Reflections and refractions in a row")->option_text("N");
     app.add_option("--missing-textures", t.missing, "error (default) or checker: render on with a checker")
         ->check(CLI::IsMember({"error", "checker"}));
+}
 
-    app.add_option("-t,--threads", a.threads, "Threads (0 = all)")->check(CLI::Range(0, 1024));
+void add_run_options(CLI::App& app, RenderArguments& a, Texts& t) {
+    app.add_option("-t,--threads", t.threads, "Threads (0 = all)")->option_text("N");
     app.add_option("--plan", t.plan, "auto (default) or general: leave nothing out")
         ->check(CLI::IsMember({"auto", "general"}));
     app.add_option("--precision", t.precision, "auto (default), single or double geometry")
         ->check(CLI::IsMember({"auto", "single", "double"}));
-    app.add_flag("--explain", a.explain, "Say what the plan leaves out and why");
-    app.add_flag("--check", a.check, "Read and check the scene, render nothing");
-
+    app.add_flag("--explain", a.explain, "Print what the plan leaves out and why, to the standard output");
+    app.add_flag("--check", a.check, "Do everything but render: read the scene and its textures, check the outputs");
     app.add_option("--progress", t.progress, "auto (default), bar, plain or none")
         ->check(CLI::IsMember({"auto", "bar", "plain", "none"}));
     app.add_flag("-q,--quiet", a.quiet, "Print errors only");
     app.add_flag("-v,--verbose", a.verbose, "Print notes and per-stage times");
     app.set_version_flag("--version", fmt::format("drt-render {} ({})", version(), build_isa()));
-    add_legacy_options(app, a.legacy);
 }
 
-void take_texts(RenderArguments& a, const Texts& t) {
-    if (!t.scene.empty() && !t.legacy_scene.empty()) usage_error("two scene files", t.legacy_scene, "one");
-    a.scene = t.scene.empty() ? t.legacy_scene : t.scene;
-    if (a.scene.empty()) usage_error("no scene file", "", "drt-render scene.yaml -o out.exr");
-    if (!t.frame.empty() && !t.frames.empty()) usage_error("both --frame and --frames", t.frames, "one of them");
-    if (!t.frame.empty() || !t.frames.empty()) a.frames = parse_frames(t.frame.empty() ? t.frames : t.frame);
-    if (!t.time_limit.empty()) a.time_limit = parse_duration(t.time_limit, "--time-limit");
-    if (!t.snapshot.empty()) a.snapshot = parse_snapshot(t.snapshot);
-    if (!t.resolution.empty()) parse_resolution(t.resolution, a.overrides);
+void add_options(CLI::App& app, RenderArguments& a, Texts& t) {
+    app.add_option("scene", t.scene, "Scene file: YAML (.yaml, .yml) or legacy text")->option_text("FILE");
+    app.add_option("-s,--scene", t.legacy_scene, "The same, as the 2008 program took it")->option_text("FILE");
+    add_output_options(app, a, t);
+    add_frame_options(app, a, t);
+    add_quality_options(app, t);
+    add_run_options(app, a, t);
+    add_legacy_options(app, a.legacy);
+    app.footer(exit_codes);
+}
+
+void take_numbers(RenderArguments& a, const Texts& t) {
+    Overrides& o = a.overrides;
+    if (t.spp) o.spp = to_number(*t.spp, 1, 1 << 24, "--spp");
+    if (t.seed) o.seed = to_number<std::uint32_t>(*t.seed, 0, ~std::uint32_t(0), "--seed");
+    if (t.max_depth) o.max_depth = to_number(*t.max_depth, 0, 10000, "--max-depth");
+    if (t.threads) a.threads = to_number(*t.threads, 0, 1024, "--threads");
+    if (t.exposure) a.display.exposure = to_number(*t.exposure, -100.0f, 100.0f, "--exposure");
+    if (t.time_limit) a.time_limit = parse_time_limit(*t.time_limit);
+    if (t.resolution) parse_resolution(*t.resolution, o);
+}
+
+void take_choices(RenderArguments& a, const Texts& t) {
     a.plan.checker_for_missing_textures = t.missing == "checker";
     a.plan.general = t.plan == "general";
     using Precision = PlanOptions::Precision;
@@ -113,6 +165,20 @@ void take_texts(RenderArguments& a, const Texts& t) {
                  : t.progress == "plain" ? ProgressStyle::plain
                  : t.progress == "none"  ? ProgressStyle::none
                                          : ProgressStyle::automatic;
+}
+
+void take_texts(RenderArguments& a, const Texts& t) {
+    if (!t.scene.empty() && !t.legacy_scene.empty()) usage_error("two scene files", t.legacy_scene, "one");
+    a.scene = t.scene.empty() ? t.legacy_scene : t.scene;
+    if (a.scene.empty()) usage_error("no scene file", "", "drt-render scene.yaml -o out.exr");
+    if (t.frame && t.frames) usage_error("both --frame and --frames", *t.frames, "one of them");
+    if (t.frame) a.frames = {parse_frame(*t.frame)};
+    if (t.frames) a.frames = parse_frames(*t.frames);
+    if (t.snapshot) a.snapshot = parse_snapshot(*t.snapshot);
+    take_numbers(a, t);
+    take_choices(a, t);
+    for (const std::string& path : a.outputs)
+        if (path == "-" || path.empty()) usage_error("pictures are written to files, not to", path, "-o out.exr");
     if (a.outputs.empty() && !a.check && !a.explain)
         usage_error("no output file", "", "-o out.exr (or --check, --explain)");
 }
@@ -120,7 +186,7 @@ void take_texts(RenderArguments& a, const Texts& t) {
 }  // namespace
 
 std::optional<RenderArguments> parse_arguments(int argc, char** argv, int* code) {
-    CLI::App app{"drt-render: distributed ray tracing of a scene to a picture"};
+    CLI::App app{"Renders a scene to a picture by distributed ray tracing.", "drt-render"};
     app.failure_message(CLI::FailureMessage::simple);
     RenderArguments a;
     Texts t;
@@ -128,7 +194,9 @@ std::optional<RenderArguments> parse_arguments(int argc, char** argv, int* code)
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {  // --help, --version
-        *code = app.exit(e);
+        std::ostringstream text;
+        *code = app.exit(e, text, text);
+        write_stdout(text.str());
         return {};
     } catch (const CLI::ParseError& e) {
         throw Error(ErrorKind::usage, e.what() + std::string("; --help lists the options"));

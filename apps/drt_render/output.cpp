@@ -3,9 +3,103 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <filesystem>
+#include <unordered_map>
+
 #include "drt/base/version.h"
+#include "frames.h"
 
 namespace drt {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> output_paths(const RenderArguments& a, int frame) {
+    std::vector<std::string> paths;
+    for (const std::string& pattern : a.outputs) paths.push_back(frame_path(pattern, frame, a.frames.size() > 1));
+    return paths;
+}
+
+std::optional<Snapshot> frame_snapshot(const RenderArguments& a, int frame) {
+    if (!a.snapshot) return {};
+    // Without a token all frames share the snapshot: it shows what is being rendered.
+    return Snapshot{frame_path(a.snapshot->path, frame, false), a.snapshot->interval};
+}
+
+namespace {
+
+// Names files for a FileSet. A million frames lie in one folder, whose own name is found out once.
+class Identifier {
+public:
+    std::string operator()(const std::string& path) {
+        const fs::path p(path);
+        std::error_code ignored;
+        if (fs::is_symlink(p, ignored)) return canonical(p);
+        const auto [folder, fresh] = folders_.try_emplace(p.parent_path().string());
+        if (fresh) folder->second = canonical(p.has_parent_path() ? p.parent_path() : fs::path("."));
+        return (fs::path(folder->second) / p.filename()).string();
+    }
+
+private:
+    static std::string canonical(const fs::path& p) {
+        std::error_code ignored;  // a name that leads nowhere is its own
+        const fs::path found = fs::weakly_canonical(fs::absolute(p, ignored), ignored);
+        return found.empty() ? p.string() : found.string();
+    }
+
+    std::unordered_map<std::string, std::string> folders_;
+};
+
+[[noreturn]] void path_error(const std::string& what, const std::string& path) {
+    throw Error(ErrorKind::usage, {{Severity::error, {}, what, path, "", ""}});
+}
+
+// A snapshot may share a picture's path (it is replaced by the picture in the end); two pictures may not.
+FileSet output_files(const RenderArguments& a) {
+    FileSet files;
+    Identifier identify;
+    for (const int frame : a.frames)
+        for (const std::string& path : output_paths(a, frame))
+            if (!files.insert(identify(path)).second) path_error("two outputs have the same path", path);
+    for (const int frame : a.frames)
+        if (const auto snapshot = frame_snapshot(a, frame)) files.insert(identify(snapshot->path));
+    return files;
+}
+
+// The whole check costs an fsync; a thousand frames in one folder need one, the rest is seen from the file alone.
+// Before each frame its own outputs are checked again.
+class WritableCheck {
+public:
+    void operator()(const std::string& path) {
+        const fs::path p(path);
+        std::error_code ignored;
+        const fs::file_status status = fs::status(p, ignored);
+        const bool ordinary = !fs::exists(status) || fs::is_regular_file(status);
+        if (!ordinary || seen_.insert(p.parent_path().string() + '\n' + p.extension().string()).second)
+            check_writable(path);
+    }
+
+private:
+    std::unordered_set<std::string> seen_;
+};
+
+}  // namespace
+
+FileSet check_outputs(const RenderArguments& a) {
+    FileSet files = output_files(a);
+    if (files.count(Identifier()(a.scene)) > 0) path_error("the output is the scene file", a.scene);
+    WritableCheck check;
+    for (const int frame : a.frames) {
+        for (const std::string& path : output_paths(a, frame)) check(path);
+        if (const auto snapshot = frame_snapshot(a, frame)) check(snapshot->path);
+    }
+    return files;
+}
+
+void check_textures_kept(const FileSet& outputs, const SceneDesc& scene) {
+    Identifier identify;
+    for (const Texture& t : scene.textures)
+        if (outputs.count(identify(t.file)) > 0) path_error("the output is a texture of the scene", t.file);
+}
 
 std::string scene_hash(const SceneDesc& scene) {
     const std::string text = write_yaml_scene(scene, "/");
@@ -23,7 +117,7 @@ Metadata common_metadata(const OutputInfo& info, int spp, double seconds) {
             {"drt:sceneHash", info.scene_hash},
             {"drt:frame", fmt::format("{}", info.frame)},
             {"drt:videoTime", fmt::format("{}", e.video_time)},
-            {"drt:sceneTimeOpen", fmt::format("{}", e.time0)},
+            {"drt:sceneTime", fmt::format("{}", e.time0)},
             {"drt:sceneTimeClose", fmt::format("{}", e.time1)},
             {"drt:seed", fmt::format("{}", info.seed)},
             {"drt:spp", fmt::format("{}", spp)},

@@ -2,6 +2,10 @@
 // Pictures on disk: what is written beside the pixels, and snapshots while rendering.
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "drt/render/render.h"
 #include "options.h"
@@ -18,7 +22,23 @@ struct OutputInfo {
     std::uint32_t seed = 0;
 };
 
-/// drt:version, drt:isa, drt:sceneHash, drt:spp, drt:seed, drt:frame, drt:sceneTime, drt:renderSeconds, drt:error ...
+/// Where the pictures of one frame go.
+std::vector<std::string> output_paths(const RenderArguments&, int frame);
+std::optional<Snapshot> frame_snapshot(const RenderArguments&, int frame);
+
+/// Names of files, one for each file, whatever links and dots lead to it.
+using FileSet = std::unordered_set<std::string>;
+
+/// Before anything is read or rendered: all files that the run will write. Throws Error (output) for what cannot be
+/// written, and Error (usage) when two pictures have the same path or one has the scene's.
+FileSet check_outputs(const RenderArguments&);
+
+/// Throws Error (usage) when a picture would replace one of the scene's textures.
+void check_textures_kept(const FileSet& outputs, const SceneDesc&);
+
+/// drt:version, drt:isa, drt:precision, drt:sceneHash, drt:spp, drt:seed, drt:frame, drt:videoTime, drt:sceneTime and
+/// drt:sceneTimeClose (when the shutter opens and closes, in the scene's seconds), drt:renderSeconds, and, when known,
+/// drt:rmse and drt:relativeError.
 Metadata metadata(const OutputInfo&, const RenderResult&);
 
 /// Writes the picture so far whenever the interval has passed.

@@ -1,6 +1,7 @@
 #include "signals.h"
 
 #include <unistd.h>
+
 #include <csignal>
 
 namespace drt {
@@ -24,8 +25,6 @@ void install_signal_handlers() {
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 const std::atomic<bool>& stop_requested() { return stop; }

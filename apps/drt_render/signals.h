@@ -5,7 +5,7 @@
 namespace drt {
 
 /// From now on SIGINT and SIGTERM raise `stop_requested()`: the renderer finishes the tiles at hand and the picture is
-/// written. A second one ends the process at once. A broken pipe or a file-size limit become ordinary write errors.
+/// written. A second one ends the process at once.
 void install_signal_handlers();
 
 const std::atomic<bool>& stop_requested();

@@ -1,0 +1,41 @@
+#pragma once
+// Running drt-render in its tests, and looking at what it wrote.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drt/image/image.h"
+#include "support/process.h"
+
+namespace drt {
+
+using test::ProcessOptions;
+using test::ProcessResult;
+using test::read_bytes;
+using test::TempFolder;
+
+/// A ball on a floor under a square lamp, 24 x 16 pixels, 4 samples a pixel. Frame 0 to 10 only.
+extern const std::string small_scene;
+
+ProcessResult render(const std::vector<std::string>& arguments, const ProcessOptions& = {});
+/// The command runs in /bin/sh with "$0" = drt-render and "$@" = the arguments: for limits and redirections.
+ProcessResult render_in_shell(const std::string& command, const std::vector<std::string>& arguments,
+                              const ProcessOptions& = {});
+
+/// Renders into <folder>/<name>.exr, expects success and returns the picture.
+Image render_exr(const TempFolder&, const std::string& name, std::vector<std::string> arguments);
+
+/// The string attributes of an EXR file.
+std::map<std::string, std::string> exr_attributes(const std::string& path);
+
+std::vector<std::string> files_in(const TempFolder&);
+
+inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
+    if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "\"" << part << "\" is not in:\n" << text;
+}
+
+}  // namespace drt
