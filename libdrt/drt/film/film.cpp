@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 
 namespace drt {
 
@@ -69,15 +70,27 @@ void add_block(Film& film, std::uint32_t sample, int x, int y, const BlockSample
     for (int i = 0; i < block_pixels; ++i) ++n[i];
 }
 
+namespace {
+
+// The first of all, whatever the order in which threads meet them.
+void note_nonfinite(FilmCounters& counters, std::uint32_t sample, int x, int y) {
+    const auto place = std::tuple(sample, y, x);
+    const auto first =
+        std::tuple(counters.first_nonfinite_sample, counters.first_nonfinite_y, counters.first_nonfinite_x);
+    if (counters.nonfinite > 0 && first <= place) return;
+    counters.first_nonfinite_x = x;
+    counters.first_nonfinite_y = y;
+    counters.first_nonfinite_sample = sample;
+}
+
+}  // namespace
+
 void add_sample(Film& film, std::uint32_t sample, int x, int y, const std::array<float, 4>& rgba,
                 FilmCounters& counters) {
     std::array<float, 4> value = rgba;
     if (!std::all_of(rgba.begin(), rgba.end(), [](float v) { return std::isfinite(v); })) {
-        if (counters.nonfinite++ == 0) {
-            counters.first_nonfinite_x = x;
-            counters.first_nonfinite_y = y;
-            counters.first_nonfinite_sample = sample;
-        }
+        note_nonfinite(counters, sample, x, y);
+        ++counters.nonfinite;
         return;
     }
     for (float& v : value) v = std::clamp(v, -sample_limit, sample_limit);
@@ -89,11 +102,8 @@ void add_sample(Film& film, std::uint32_t sample, int x, int y, const std::array
 }
 
 void merge(FilmCounters& into, const FilmCounters& from) {
-    if (into.nonfinite == 0 && from.nonfinite > 0) {
-        into.first_nonfinite_x = from.first_nonfinite_x;
-        into.first_nonfinite_y = from.first_nonfinite_y;
-        into.first_nonfinite_sample = from.first_nonfinite_sample;
-    }
+    if (from.nonfinite > 0)
+        note_nonfinite(into, from.first_nonfinite_sample, from.first_nonfinite_x, from.first_nonfinite_y);
     into.nonfinite += from.nonfinite;
     into.clamped += from.clamped;
 }

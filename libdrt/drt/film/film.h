@@ -36,6 +36,7 @@ struct FilmPlanes {
 struct FilmCounters {
     std::uint64_t nonfinite = 0;  ///< samples dropped
     std::uint64_t clamped = 0;    ///< samples cut at sample_limit
+    /// Of the lowest sample, row, column.
     int first_nonfinite_x = -1, first_nonfinite_y = -1;
     std::uint32_t first_nonfinite_sample = 0;
 };
