@@ -1,11 +1,14 @@
 #include "drt/render/render.h"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <bit>
 #include <mutex>
+#include <optional>
 
 #include "drt/render/passes.h"
 #include "drt/render/tiles.h"
@@ -158,6 +161,10 @@ RenderResult render(const RenderPlan& plan, const RenderOptions& options, const 
         throw Error(ErrorKind::usage, "the tile size must be 4, 8, 16 or 32 pixels");
     RenderResult result;
     result.film = Film(plan.width, plan.height);
+    // TBB starts no more threads than there are cores unless it is told to.
+    std::optional<tbb::global_control> allowed;
+    if (options.threads > tbb::info::default_concurrency())
+        allowed.emplace(tbb::global_control::max_allowed_parallelism, size_t(options.threads));
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     result.threads = arena.max_concurrency();
     arena.execute([&] {
