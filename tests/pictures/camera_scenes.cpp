@@ -284,11 +284,4 @@ std::vector<PictureCase> camera_pictures(const std::string& folder) {
     };
 }
 
-std::vector<PictureCase> all_pictures(const std::string& folder) {
-    std::vector<PictureCase> all;
-    for (const auto& group : {surface_pictures(), light_pictures(), texture_pictures(folder), camera_pictures(folder)})
-        all.insert(all.end(), group.begin(), group.end());
-    return all;
-}
-
 }  // namespace drt

@@ -26,5 +26,7 @@ std::vector<PictureCase> camera_pictures(const std::string& texture_folder);
 
 /// All of them.
 std::vector<PictureCase> all_pictures(const std::string& texture_folder);
+/// One of them. Throws std::invalid_argument for a name that none has.
+PictureCase find_picture(const std::string& name, const std::string& texture_folder);
 
 }  // namespace drt

@@ -15,15 +15,9 @@
 namespace drt {
 namespace {
 
-PictureCase picture_called(const std::string& name) {
-    for (PictureCase& picture : all_pictures(::testing::TempDir()))
-        if (picture.name == name) return std::move(picture);
-    throw std::invalid_argument(name);
-}
-
 /// Compares a picture with the same scene after `change`, with other random numbers.
 CompareResult compare_changed(const std::string& name, const std::function<void(SceneDesc&)>& change, int spp = 64) {
-    const PictureCase picture = picture_called(name);
+    const PictureCase picture = find_picture(name, ::testing::TempDir());
     SceneDesc changed = picture.scene;
     change(changed);
     const auto render = [&](const SceneDesc& scene, std::uint64_t seed) {

@@ -1,5 +1,6 @@
 #include "support/render_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -25,6 +26,13 @@ PictureEstimate estimate_scene(const SceneDesc& scene, const PlanOptions& plan, 
         for (const int replicate : {0, 1}) replicates.push_back(resolve(result.film, replicate));
     }
     return estimate_from_replicates(replicates);
+}
+
+bool same_bits(const Film& a, const Film& b) {
+    if (a.width != b.width || a.height != b.height) return false;
+    return std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), [](const FilmPlanes& p, const FilmPlanes& q) {
+        return p.rgba == q.rgba && p.samples == q.samples;
+    });
 }
 
 double largest_difference(const Image& a, const Image& b) {

@@ -13,6 +13,9 @@ RenderResult render_scene(const SceneDesc&, const PlanOptions&, const RenderOpti
 /// in two replicates. Two alone would often agree by chance where a pixel's samples can give but a few values.
 PictureEstimate estimate_scene(const SceneDesc&, const PlanOptions&, int spp);
 
+/// The very same samples, bit for bit.
+bool same_bits(const Film&, const Film&);
+
 /// The largest absolute difference between two images of one size, over all channels; NaN differs from everything.
 double largest_difference(const Image&, const Image&);
 
