@@ -72,6 +72,16 @@ TEST(Distribution, ProbabilitiesAreExactUnitsOfTheGrid) {
     }
 }
 
+// A stratified u, (i + u) / n, can round up to 1.
+TEST(Distribution, OneIsTheLastThing) {
+    EXPECT_EQ((0x1.fffffep-1f + 3.0f) * 0.25f, 1.0f);
+    for (const auto& weights : cases()) {
+        const Distribution d = make_distribution(weights);
+        EXPECT_EQ(choose(d, 1.0f).index, choose(d, 0x1.fffffep-1f).index);
+        EXPECT_EQ(choose(d, 1.0f).probability, choose(d, 0x1.fffffep-1f).probability);
+    }
+}
+
 TEST(Distribution, AMillionEqualLights) {
     const Distribution d = make_distribution(std::vector<double>(1000000, 1e-6));
     EXPECT_LE(d.steps, 2);

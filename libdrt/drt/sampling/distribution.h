@@ -28,10 +28,12 @@ struct Choice {
     T probability;  ///< exact and positive
 };
 
-/// The thing whose interval of the CDF holds u in [0, 1). Monotone in u. T is float or lanes of float.
+/// The thing whose interval of the CDF holds u in [0, 1]; 1, to which a stratified (i + u) / n may round, counts as the
+/// largest number below. Monotone in u. T is float or lanes of float.
 template <class T>
-Choice<T> choose(const Distribution& d, const T& u) {
+Choice<T> choose(const Distribution& d, const T& u_closed) {
     using I = Rebind<T, std::int32_t>;
+    const T u = min(u_closed, T(0x1.fffffep-1f));
     const I bucket = num_cast<I>(T(u * T(float(d.guide.size() - 1))));
     I lo = gather<I>(d.guide.data(), bucket);
     I hi = gather<I>(d.guide.data(), I(bucket + I(1)));
