@@ -157,7 +157,7 @@ const World<float>& world(const RenderPlan& p) { return *std::get<std::unique_pt
 TEST(Plan, BodiesKeepTheirMaterialsAndLightsTheirBodiesWhenSorted) {
     SceneDesc s = test::empty_scene();
     s.materials.push_back(matte("red", Color{1, 0, 0}));
-    s.bodies = {body("plane", Plane{{0, -2, 0}}, "red"), body("box", Box{{0, 0, -5}}, "grey"),
+    s.bodies = {body("plane", Plane{{0, -2, 0}}, "red"), body("box", Box{{0, 0, -5}, {1, 1, 1}, {}}, "grey"),
                 body("ball", sphere({3, 0, -5}, 1), "red")};
     s.lights = {light("bulb", SphereLight{{0, 5, 0}, 0.5}, Color(2.0f))};
     s.lights[0].visible = true;
