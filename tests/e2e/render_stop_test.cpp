@@ -144,7 +144,7 @@ TEST_F(RenderStops, PlainProgressIsLinesThatArriveAtOnce) {
     EXPECT_TRUE(wait_until([&] { return process->err_so_far().find(" s left\n") != std::string::npos; }));
     process->send(SIGINT);
     const ProcessResult r = process->wait();
-    EXPECT_EQ(r.err.find("progress 0%  "), 0u) << r.err;
+    EXPECT_EQ(r.err.find("progress "), 0u) << r.err;  // how many percent depends on the machine
     EXPECT_EQ(r.err.find('\r'), std::string::npos) << r.err;
 }
 
