@@ -149,6 +149,10 @@ template <class T>
         return v[i];
 }
 
+// min, max and clamp are for operands that are not NaN. Scalars follow the comparison as written; on lanes overload
+// resolution prefers those of std::experimental::simd, which GCC compiles as if there were no NaN (and no signed zero):
+// with a NaN operand either operand may come out, whichever way round the compiler put them (one minps). The comparison
+// and blend that would define it cost a second instruction on AVX-512, so whoever may meet a NaN tests for it first.
 template <class T>
 [[gnu::always_inline]] inline T min(const T& a, const T& b) {
     return select(a < b, a, b);
@@ -175,12 +179,6 @@ template <class T>
         return v;
     else
         return stdx::hmin(v);
-}
-
-/// a*b + c, fused where the machine has it.
-template <class T>
-[[gnu::always_inline]] inline T fma(const T& a, const T& b, const T& c) {
-    return a * b + c;  // contracted by the compiler; stdx::fma falls back to libm calls on some widths
 }
 
 template <class T>
