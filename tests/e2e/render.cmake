@@ -8,3 +8,9 @@ target_compile_definitions(test_e2e_render PRIVATE
   DRT_RENDER="$<TARGET_FILE:drt-render>" DRT_CONVERT="$<TARGET_FILE:drt-convert>"
   DRT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
 add_dependencies(test_e2e_render drt-render drt-convert)
+
+drt_add_test(test_e2e_million SOURCES render_million_test.cpp render_programs.cpp
+  ROOMS image LIBRARIES drt_apps test_process OpenEXR::OpenEXR LABELS long)
+target_compile_definitions(test_e2e_million PRIVATE
+  DRT_RENDER="$<TARGET_FILE:drt-render>" DRT_CONVERT="$<TARGET_FILE:drt-convert>")
+add_dependencies(test_e2e_million drt-render)

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -53,15 +54,17 @@ void wait_for(pid_t pid, double timeout, ProcessResult& result) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double>(timeout);
     int status = 0;
+    rusage usage{};
     pid_t done = 0;
-    while ((done = waitpid(pid, &status, WNOHANG)) == 0) {
+    while ((done = wait4(pid, &status, WNOHANG, &usage)) == 0) {
         if (!result.timed_out && Clock::now() > end) {
             result.timed_out = true;
             kill(pid, SIGKILL);
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
-    if (done < 0) check(errno, "waitpid");
+    if (done < 0) check(errno, "wait4");
+    result.peak_megabytes = double(usage.ru_maxrss) * 1024e-6;
     if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
 }

@@ -31,6 +31,7 @@ struct ProcessResult {
     int exit_code = -1;  ///< -1 when a signal ended the process
     int signal = 0;      ///< that signal
     bool timed_out = false;
+    double peak_megabytes = 0;  ///< the most memory that it held (resident, 1e6 bytes)
     std::string out, err;
 };
 
