@@ -129,13 +129,11 @@ TEST(Film, BlocksAreTheirPixels) {
         Film whole(11, 9), single(11, 9);
         FilmCounters whole_counters, single_counters;
         add_block(whole, 3, 4, 4, block, whole_counters);
-        const size_t start = film_index(whole, 4, 4);
-        for (int y = 4; y < 8; ++y)
-            for (int x = 4; x < 8; ++x) {
-                const size_t i = film_index(whole, x, y) - start;  // a block is contiguous
-                if (planted.valid >> i & 1)
-                    add_sample(single, 3, x, y, {rgba[0][i], rgba[1][i], rgba[2][i], rgba[3][i]}, single_counters);
-            }
+        for (size_t i = 0; i < size_t(block_pixels); ++i) {  // in Morton order
+            const int x = 4 + int((i & 1) | (i >> 1 & 2)), y = 4 + int((i >> 1 & 1) | (i >> 2 & 2));
+            if (planted.valid >> i & 1)
+                add_sample(single, 3, x, y, {rgba[0][i], rgba[1][i], rgba[2][i], rgba[3][i]}, single_counters);
+        }
         EXPECT_EQ(resolve(whole).data, resolve(single).data) << planted.value;
         EXPECT_EQ(whole_counters.clamped, single_counters.clamped);
         EXPECT_EQ(whole_counters.nonfinite, single_counters.nonfinite);

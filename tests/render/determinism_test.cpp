@@ -83,9 +83,8 @@ TEST_P(Determinism, EveryCameraSampleIsTakenOnce) {
     EXPECT_EQ(result.counters.trace.rejected, 0u);
     for (int y = 0; y < 36; ++y)
         for (int x = 0; x < 48; ++x) {
-            const size_t i = film_index(result.film, x, y);
-            ASSERT_EQ(result.film.planes[0].samples[i], 3u);
-            ASSERT_EQ(result.film.planes[1].samples[i], 2u);
+            ASSERT_EQ(samples_at(result.film, 0, x, y), 3u);
+            ASSERT_EQ(samples_at(result.film, 1, x, y), 2u);
         }
 }
 

@@ -29,10 +29,7 @@ PictureEstimate estimate_scene(const SceneDesc& scene, const PlanOptions& plan, 
 }
 
 bool same_bits(const Film& a, const Film& b) {
-    if (a.width != b.width || a.height != b.height) return false;
-    return std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), [](const FilmPlanes& p, const FilmPlanes& q) {
-        return p.rgba == q.rgba && p.samples == q.samples;
-    });
+    return a.width == b.width && a.height == b.height && a.blocks == b.blocks;
 }
 
 double largest_difference(const Image& a, const Image& b) {

@@ -5,69 +5,72 @@
 #include <cmath>
 #include <tuple>
 
+#include "drt/base/bits.h"
+
 namespace drt {
 
 Film::Film(int w, int h) : width(w), height(h) {
-    const size_t size = size_t(blocks_across()) * size_t(blocks_down()) * block_pixels;
-    for (FilmPlanes& p : planes) {
-        for (auto& plane : p.rgba) plane.resize(size);
-        p.samples.resize(size);
-    }
+    for (auto& b : blocks) b.resize(size_t(blocks_across()) * size_t(blocks_down()));
 }
 
-std::size_t Film::memory() const {
-    return planes.size() * planes[0].samples.size() * (4 * sizeof(std::int64_t) + sizeof(std::uint32_t));
-}
+std::size_t Film::memory() const { return blocks.size() * blocks[0].size() * sizeof(FilmBlock); }
 
 namespace {
 
-size_t block_start(const Film& film, int x, int y) {
-    return (size_t(y / block_side) * size_t(film.blocks_across()) + size_t(x / block_side)) * block_pixels;
+// Which block pixel (x, y) is in.
+size_t block_index(const Film& film, int x, int y) {
+    return size_t(y / block_side) * size_t(film.blocks_across()) + size_t(x / block_side);
 }
 
 // Morton number of a pixel within its block, and back.
 constexpr int in_block(int x, int y) { return (x & 1) | (y & 1) << 1 | (x & 2) << 1 | (y & 2) << 2; }
+constexpr size_t place_in_block(int x, int y) { return size_t(in_block(x & (block_side - 1), y & (block_side - 1))); }
 constexpr int x_in_block(int i) { return (i & 1) | (i >> 1 & 2); }
 constexpr int y_in_block(int i) { return (i >> 1 & 1) | (i >> 2 & 2); }
 static_assert(x_in_block(in_block(3, 1)) == 3 && y_in_block(in_block(3, 1)) == 1);
 
-// The value is exact in fixed point above 1 and rounded once below; scaling by a power of two loses nothing.
-std::int64_t to_fixed(float v) { return std::int64_t(std::nearbyint(v * float(fixed_point_scale))); }
+// The value is exact in fixed point above 1 and rounded once below, to the nearest: adding 1.5 * 2^52 to a double
+// leaves the integer in its low bits, which needs no conversion to 64-bit integers (AVX2 has none). D is double or
+// lanes.
+template <class D>
+Rebind<D, std::int64_t> to_fixed(const D& v) {
+    using I = Rebind<D, std::int64_t>;
+    constexpr double magic = 6755399441055744.0;
+    return bits_as<I>(D(v * D(fixed_point_scale) + D(magic))) - I(std::bit_cast<std::int64_t>(magic));
+}
 
-// All 16 values are numbers within the limit: NaN and infinity compare above it as bit patterns.
-bool all_in_range(const float* v) {
-    unsigned bad = 0;
-    for (int i = 0; i < block_pixels; ++i)
-        bad |=
-            unsigned((std::bit_cast<std::uint32_t>(v[i]) & 0x7fffffffu) > std::bit_cast<std::uint32_t>(sample_limit));
-    return bad == 0;
+// In lanes by hand: the compiler would go one by one, by its measure of cost here and for fear of overlap below.
+
+// All values are numbers within the limit; a NaN fails the comparison.
+bool all_in_range(const BlockSamples& s) {
+    using F = Lane<float, std::min(int(stdx::native_simd<float>::size()), block_pixels)>;
+    MaskOf<F> good(true);
+    for (const float* v : s.rgba)
+        for (int i = 0; i < block_pixels; i += width_of<F>) good = good && abs(load<F>(v + i)) <= F(sample_limit);
+    return all(good);
+}
+
+void add_values(std::int64_t* sum, const float* v) {
+    constexpr int width = int(stdx::native_simd<double>::size());
+    using D = Lane<double, width>;
+    using I = Lane<std::int64_t, width>;
+    for (int i = 0; i < block_pixels; i += width)
+        store(I(load<I>(sum + i) + to_fixed(D(v + i, stdx::element_aligned))), sum + i);
 }
 
 }  // namespace
 
-std::size_t film_index(const Film& film, int x, int y) {
-    return block_start(film, x, y) + size_t(in_block(x & (block_side - 1), y & (block_side - 1)));
-}
-
 void add_block(Film& film, std::uint32_t sample, int x, int y, const BlockSamples& s, FilmCounters& counters) {
-    const bool plain = s.valid == 0xffff && all_in_range(s.rgba[0]) && all_in_range(s.rgba[1]) &&
-                       all_in_range(s.rgba[2]) && all_in_range(s.rgba[3]);
-    if (!plain) {
+    if (s.valid != 0xffff || !all_in_range(s)) {
         for (int i = 0; i < block_pixels; ++i)
             if (s.valid >> i & 1u)
                 add_sample(film, sample, x + x_in_block(i), y + y_in_block(i),
                            {s.rgba[0][i], s.rgba[1][i], s.rgba[2][i], s.rgba[3][i]}, counters);
         return;
     }
-    FilmPlanes& planes = film.planes[size_t(replicate_of(sample))];
-    const size_t start = block_start(film, x, y);
-    for (size_t c = 0; c < 4; ++c) {  // plain loops: the compiler turns them into vector conversions and adds
-        std::int64_t* sum = &planes.rgba[c][start];
-        const float* v = s.rgba[c];
-        for (int i = 0; i < block_pixels; ++i) sum[i] += to_fixed(v[i]);
-    }
-    std::uint32_t* n = &planes.samples[start];
-    for (int i = 0; i < block_pixels; ++i) ++n[i];
+    FilmBlock& block = film.blocks[size_t(replicate_of(sample))][block_index(film, x, y)];
+    for (size_t c = 0; c < 4; ++c) add_values(block.rgba[c].data(), s.rgba[c]);
+    for (std::uint32_t& n : block.samples) ++n;
 }
 
 namespace {
@@ -85,6 +88,10 @@ void note_nonfinite(FilmCounters& counters, std::uint32_t sample, int x, int y) 
 
 }  // namespace
 
+std::uint32_t samples_at(const Film& film, int replicate, int x, int y) {
+    return film.blocks[size_t(replicate)][block_index(film, x, y)].samples[place_in_block(x, y)];
+}
+
 void add_sample(Film& film, std::uint32_t sample, int x, int y, const std::array<float, 4>& rgba,
                 FilmCounters& counters) {
     std::array<float, 4> value = rgba;
@@ -95,10 +102,10 @@ void add_sample(Film& film, std::uint32_t sample, int x, int y, const std::array
     }
     for (float& v : value) v = std::clamp(v, -sample_limit, sample_limit);
     if (value != rgba) ++counters.clamped;
-    FilmPlanes& planes = film.planes[size_t(replicate_of(sample))];
-    const size_t i = film_index(film, x, y);
-    for (size_t c = 0; c < 4; ++c) planes.rgba[c][i] += to_fixed(value[c]);
-    ++planes.samples[i];
+    FilmBlock& block = film.blocks[size_t(replicate_of(sample))][block_index(film, x, y)];
+    const size_t i = place_in_block(x, y);
+    for (size_t c = 0; c < 4; ++c) block.rgba[c][i] += to_fixed(double(value[c]));
+    ++block.samples[i];
 }
 
 void merge(FilmCounters& into, const FilmCounters& from) {
@@ -116,8 +123,10 @@ struct PixelSum {
     std::uint64_t samples = 0;
 };
 
-PixelSum pixel_sum(const FilmPlanes& planes, size_t i) {
-    return {{planes.rgba[0][i], planes.rgba[1][i], planes.rgba[2][i], planes.rgba[3][i]}, planes.samples[i]};
+PixelSum pixel_sum(const Film& film, size_t replicate, int x, int y) {
+    const FilmBlock& b = film.blocks[replicate][block_index(film, x, y)];
+    const size_t i = place_in_block(x, y);
+    return {{b.rgba[0][i], b.rgba[1][i], b.rgba[2][i], b.rgba[3][i]}, b.samples[i]};
 }
 
 PixelSum operator+(const PixelSum& a, const PixelSum& b) {
@@ -135,7 +144,7 @@ Image to_image(const Film& film, SumAt sum_at) {
     Image out(film.width, film.height, 4);
     for (int y = 0; y < film.height; ++y)
         for (int x = 0; x < film.width; ++x) {
-            const PixelSum s = sum_at(film_index(film, x, y));
+            const PixelSum s = sum_at(x, y);
             for (size_t c = 0; c < 4; ++c) out.pixel(x, y)[c] = float(mean(s, c));
         }
     return out;
@@ -144,30 +153,33 @@ Image to_image(const Film& film, SumAt sum_at) {
 }  // namespace
 
 Image resolve(const Film& film) {
-    return to_image(film, [&](size_t i) { return pixel_sum(film.planes[0], i) + pixel_sum(film.planes[1], i); });
+    return to_image(film, [&](int x, int y) { return pixel_sum(film, 0, x, y) + pixel_sum(film, 1, x, y); });
 }
 
 Image resolve(const Film& film, int replicate) {
-    return to_image(film, [&](size_t i) { return pixel_sum(film.planes[size_t(replicate)], i); });
+    return to_image(film, [&](int x, int y) { return pixel_sum(film, size_t(replicate), x, y); });
 }
 
 ErrorEstimate estimate_error(const Film& film) {
     double squared_error = 0, squared_value = 0;
     for (int y = 0; y < film.height; ++y)
         for (int x = 0; x < film.width; ++x) {
-            const size_t i = film_index(film, x, y);
-            const PixelSum a = pixel_sum(film.planes[0], i), b = pixel_sum(film.planes[1], i), both = a + b;
-            if (a.samples == 0 || b.samples == 0) return {};
+            const size_t block = block_index(film, x, y), i = place_in_block(x, y);
+            const FilmBlock &a = film.blocks[0][block], &b = film.blocks[1][block];
+            if (a.samples[i] == 0 || b.samples[i] == 0) return {};
             // Two independent means whose variances go as 1/n: the variance of their weighted mean is
             // (a - b)^2 na nb / (na + nb)^2 in expectation.
-            const double na = double(a.samples), nb = double(b.samples);
-            const double weight = na * nb / ((na + nb) * (na + nb));
+            const double na = double(a.samples[i]), nb = double(b.samples[i]), over_n = 1 / (na + nb);
+            const double weight = na * nb * over_n * over_n, over_na = 1 / na, over_nb = 1 / nb;
             for (size_t c = 0; c < 3; ++c) {
-                const double difference = mean(a, c) - mean(b, c), value = mean(both, c);
+                const double sum_a = double(a.rgba[c][i]), sum_b = double(b.rgba[c][i]);
+                const double difference = sum_a * over_na - sum_b * over_nb, value = (sum_a + sum_b) * over_n;
                 squared_error += difference * difference * weight;
                 squared_value += value * value;
             }
         }
+    squared_error /= fixed_point_scale * fixed_point_scale;
+    squared_value /= fixed_point_scale * fixed_point_scale;
     ErrorEstimate e;
     e.rmse = std::sqrt(squared_error / (3.0 * film.width * film.height));
     e.relative = squared_value > 0 ? std::sqrt(squared_error / squared_value) : 0;

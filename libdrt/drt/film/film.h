@@ -27,10 +27,12 @@ constexpr std::uint32_t index_in_replicate(std::uint32_t sample) { return sample
 inline constexpr int block_side = 4;
 inline constexpr int block_pixels = block_side * block_side;
 
-/// Sums of one replicate, by position in the block layout.
-struct FilmPlanes {
-    std::array<std::vector<std::int64_t>, 4> rgba;
-    std::vector<std::uint32_t> samples;
+/// Sums of one replicate over the pixels of a block, next to each other in memory: a block is all that a packet
+/// touches.
+struct FilmBlock {
+    std::array<std::array<std::int64_t, block_pixels>, 4> rgba{};
+    std::array<std::uint32_t, block_pixels> samples{};
+    friend bool operator==(const FilmBlock&, const FilmBlock&) = default;
 };
 
 struct FilmCounters {
@@ -43,7 +45,7 @@ struct FilmCounters {
 
 struct Film {
     int width = 0, height = 0;
-    std::array<FilmPlanes, replicate_count> planes;
+    std::array<std::vector<FilmBlock>, replicate_count> blocks;  ///< row by row
 
     Film() = default;
     Film(int w, int h);
@@ -52,8 +54,8 @@ struct Film {
     std::size_t memory() const;
 };
 
-/// Where pixel (x, y) is in the planes.
-std::size_t film_index(const Film&, int x, int y);
+/// How many samples pixel (x, y) has in a replicate.
+std::uint32_t samples_at(const Film&, int replicate, int x, int y);
 
 /// One sample of each pixel of a block, in the block's order.
 struct BlockSamples {
