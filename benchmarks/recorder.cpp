@@ -8,7 +8,6 @@ std::vector<drt::RecordedPacket>* recording = nullptr;
 
 template <class Ray>
 [[maybe_unused]] void record(const int* valid, const Ray& r, bool shadow) {
-    if (!recording) return;
     drt::RecordedPacket p;
     std::memcpy(p.valid, valid, sizeof(p.valid));
     std::memcpy(p.org[0], r.org_x, sizeof(p.org[0]));
@@ -50,12 +49,14 @@ void restore(const drt::RecordedPacket& p, Ray& r) {
     void __real_rtcOccluded##width(const int*, RTCScene, RTCIntersectContext*, RTCRay##width*);     \
     void __wrap_rtcIntersect##width(const int* valid, RTCScene scene, RTCIntersectContext* context, \
                                     RTCRayHit##width* rays) {                                       \
-        if constexpr (drt::packet_width == width) record(valid, rays->ray, false);                  \
+        if constexpr (drt::packet_width == width)                                                   \
+            if (recording) record(valid, rays->ray, false);                                         \
         __real_rtcIntersect##width(valid, scene, context, rays);                                    \
     }                                                                                               \
     void __wrap_rtcOccluded##width(const int* valid, RTCScene scene, RTCIntersectContext* context,  \
                                    RTCRay##width* rays) {                                           \
-        if constexpr (drt::packet_width == width) record(valid, *rays, true);                       \
+        if constexpr (drt::packet_width == width)                                                   \
+            if (recording) record(valid, *rays, true);                                              \
         __real_rtcOccluded##width(valid, scene, context, rays);                                     \
     }                                                                                               \
     }

@@ -38,7 +38,7 @@ TEST(Filter, SamplesFollowTheFilterWithItsSign) {
         std::vector<double> counts(bins), expected(bins), weights(bins);
         double sum = 0;
         for (std::uint32_t i = 0; i < n; ++i) {
-            const auto u = sample_2d<float>(SamplerKind::independent, {17u, i}, 3);
+            const auto u = sample_2d(SamplerKind::independent, SampleSet<float>{17u, i}, 3);
             const FilterSample<float> s = sample_filter(filter, u);
             ASSERT_LE(std::abs(s.offset.x), float(spec.radius));
             ASSERT_LE(std::abs(s.offset.y), float(spec.radius));
@@ -87,7 +87,7 @@ TEST(Filter, SobolWeightsSumToOne) {
         const FilterTable filter = make_filter(spec);
         double sum = 0;
         for (std::uint32_t i = 0; i < 4096; ++i)
-            sum += sample_filter(filter, sample_2d<float>(SamplerKind::sobol, {5u, i}, 0)).weight;
+            sum += sample_filter(filter, sample_2d(SamplerKind::sobol, SampleSet<float>{5u, i}, 0)).weight;
         // Exact without negative lobes; with them, as good as the net resolves the lobes' borders.
         EXPECT_NEAR(sum / 4096, 1, spec.kind == Kind::mitchell ? 2e-3 : 1e-7);
     }

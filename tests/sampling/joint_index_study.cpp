@@ -137,8 +137,8 @@ Point point(Points kind, u32 key, u32 index) {
     Point p;
     for (size_t k = 0; k < 4; ++k) {
         const auto sampler = kind == Points::joint ? SamplerKind::sobol : SamplerKind::independent;
-        p[k] =
-            kind == Points::padded ? padded_2d(key, index, dims[k]) : sample_2d<double>(sampler, {key, index}, dims[k]);
+        p[k] = kind == Points::padded ? padded_2d(key, index, dims[k])
+                                      : sample_2d(sampler, SampleSet<double>{key, index}, dims[k]);
     }
     return p;
 }

@@ -21,7 +21,7 @@ std::uint32_t pixel_key(std::uint32_t x, std::uint32_t y = 0, std::uint32_t repl
 }
 
 Vec2d sobol(std::uint32_t key, std::uint32_t index, DimId d) {
-    return sample_2d<double>(SamplerKind::sobol, {key, index}, d);
+    return sample_2d(SamplerKind::sobol, SampleSet<double>{key, index}, d);
 }
 
 /// Bit i of the second Sobol coordinate by the definition: direction numbers of the polynomial x + 1.
@@ -135,7 +135,7 @@ TEST(Sampler, PixelsReplicatesAndDimensionsAreIndependent) {
     const double level = test::sidak(0.01, 2 * 8);
     for (const auto kind : {SamplerKind::sobol, SamplerKind::independent}) {
         const auto at = [&](std::uint32_t key, std::uint32_t index, DimId d) {
-            return sample_2d<double>(kind, {key, index}, d);
+            return sample_2d(kind, SampleSet<double>{key, index}, d);
         };
         const auto base = [&](std::uint32_t i) { return at(pixel_key(i & 511, i >> 9), 0, lens).x; };
         const std::array<std::function<double(std::uint32_t)>, 8> others{
@@ -157,7 +157,7 @@ TEST(Sampler, EachPointIsUniformOverScrambles) {
         constexpr int n = 1 << 19, bins = 64;
         std::vector<double> counts(bins * bins), expected(bins * bins, double(n) / (bins * bins));
         for (std::uint32_t i = 0; i < n; ++i) {
-            const Vec2<float> p = sample_2d<float>(kind, {pixel_key(i & 1023, i >> 10), 3}, light);
+            const Vec2<float> p = sample_2d(kind, SampleSet<float>{pixel_key(i & 1023, i >> 10), 3}, light);
             counts[size_t(p.x * bins) * bins + size_t(p.y * bins)] += 1;
         }
         EXPECT_GT(test::chi2_p_value(counts, expected), test::sidak(0.01, 2));

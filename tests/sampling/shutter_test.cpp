@@ -54,7 +54,8 @@ TEST(Shutter, MovingEdgeCoverage) {
         int covered = 0;
         for (std::uint32_t i = 0; i < n; ++i)
             covered +=
-                32 * shutter_time(sample_1d<double>(SamplerKind::sobol, {11u, i}, dim(PathDim::time)), 0.0) > pixel;
+                32 * shutter_time(sample_1d(SamplerKind::sobol, SampleSet<double>{11u, i}, dim(PathDim::time)), 0.0) >
+                pixel;
         EXPECT_NEAR(covered / double(n), 1 - pixel / 32, 1.0 / n);
     }
 }

@@ -14,7 +14,7 @@ constexpr int samples = 1 << 19;
 
 template <class T>
 Vec2<T> random_point(std::uint32_t i) {
-    return sample_2d<T>(SamplerKind::independent, {12345u, i}, 0);
+    return sample_2d(SamplerKind::independent, SampleSet<T>{12345u, i}, 0);
 }
 
 /// The p-value of `bins_u` x `bins_v` counts of coordinates (u, v) in [0, 1]^2 that ought to be uniform.
@@ -140,10 +140,11 @@ TEST(Warps, PowerCosineMatchesItsPdf) {
 TEST(Warps, LanesAgreeWithScalars) {
     using L = Lane<float, 16>;
     for (std::uint32_t first = 0; first < 1024; first += 16) {
-        const Vec2<L> u = sample_2d<L>(
-            SamplerKind::sobol,
-            {Rebind<L, std::uint32_t>(9u), Rebind<L, std::uint32_t>([&](auto i) { return first + std::uint32_t(i); })},
-            0);
+        const Vec2<L> u =
+            sample_2d(SamplerKind::sobol,
+                      SampleSet<L>{Rebind<L, std::uint32_t>(9u),
+                                   Rebind<L, std::uint32_t>([&](auto i) { return first + std::uint32_t(i); })},
+                      0);
         const Vec2<L> disc = uniform_disc(u);
         const auto cone = uniform_cone(u, L(0.3f));
         const auto lobe = power_cosine(u, L(100.0f));

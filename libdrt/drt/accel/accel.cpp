@@ -69,7 +69,8 @@ struct Rays {
 };
 
 template <ShapeKind kind, bool moving, class T, class Real = ScalarOf<T>>
-ShapeHit<T> hit_body(const BodyTable<Real>& table, const BodyGroup& g, int body, const Rays<T>& r) {
+[[gnu::always_inline]] inline ShapeHit<T> hit_body(const BodyTable<Real>& table, const BodyGroup& g, int body,
+                                                   const Rays<T>& r) {
     using I = Rebind<T, int>;
     const auto& shape = shapes_of<kind>(table)[size_t(g.first_shape + body - g.first)];
     const auto on = r.start >= I(0) && start::body(r.start) == I(body);
@@ -93,7 +94,8 @@ ShapeHit<T> hit_body(const BodyTable<Real>& table, const BodyGroup& g, int body,
 }
 
 template <class T>
-MaskOf<T> is_closer(const T& t, int body, const T& best_t, const Rebind<T, int>& best_body, const T& rounding) {
+[[gnu::always_inline]] inline MaskOf<T> is_closer(const T& t, int body, const T& best_t,
+                                                  const Rebind<T, int>& best_body, const T& rounding) {
     const T tie = t * T(tie_tolerance<ScalarOf<T>>) + rounding;
     const auto wins_tie = mask_cast<T>(Rebind<T, int>(body) < best_body);
     return t < best_t - tie || (wins_tie && t < best_t + tie);
@@ -101,19 +103,19 @@ MaskOf<T> is_closer(const T& t, int body, const T& best_t, const Rebind<T, int>&
 
 // Embree culls by its float tfar: a little beyond the true distance, so that ties still reach the callback.
 template <class T>
-Rebind<T, float> culling_distance(const T& t) {
+[[gnu::always_inline]] inline Rebind<T, float> culling_distance(const T& t) {
     constexpr float slack = 1 + 8 * std::numeric_limits<float>::epsilon();
     return num_cast<Rebind<T, float>>(t) * Rebind<T, float>(slack);
 }
 
 template <class Real>
-Rays<typename Pack<Real>::R> all_lanes(const Query<Real>& q) {
+[[gnu::always_inline]] inline Rays<typename Pack<Real>::R> all_lanes(const Query<Real>& q) {
     const RayPacket<Real>& r = *q.rays;
     return {r.o, r.d, q.tmin, r.tmax, r.time, r.start};
 }
 
 template <class Real>
-Rays<Real> one_lane(const Query<Real>& q, int i) {
+[[gnu::always_inline]] inline Rays<Real> one_lane(const Query<Real>& q, int i) {
     const RayPacket<Real>& r = *q.rays;
     return {{lane(r.o.x, i), lane(r.o.y, i), lane(r.o.z, i)},
             {lane(r.d.x, i), lane(r.d.y, i), lane(r.d.z, i)},
@@ -124,7 +126,7 @@ Rays<Real> one_lane(const Query<Real>& q, int i) {
 }
 
 template <class Real>
-typename Pack<Real>::Mask valid_lanes(const int* valid) {
+[[gnu::always_inline]] inline typename Pack<Real>::Mask valid_lanes(const int* valid) {
     using I = typename Pack<Real>::I;
     return mask_cast<typename Pack<Real>::F>(load<I>(valid) != I(0));
 }
@@ -132,8 +134,9 @@ typename Pack<Real>::Mask valid_lanes(const int* valid) {
 // ---- nearest hit -------------------------------------------------------------------------------------------------
 
 template <ShapeKind kind, bool moving, class Real>
-typename Pack<Real>::Mask nearest_in_lanes(const Group<Real>& g, int body, const Query<Real>& q,
-                                           const typename Pack<Real>::Mask& valid) {
+[[gnu::always_inline]] inline typename Pack<Real>::Mask nearest_in_lanes(const Group<Real>& g, int body,
+                                                                         const Query<Real>& q,
+                                                                         const typename Pack<Real>::Mask& valid) {
     using R = typename Pack<Real>::R;
     using F = typename Pack<Real>::F;
     using I = typename Pack<Real>::I;
@@ -194,7 +197,8 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) {
 // ---- visibility --------------------------------------------------------------------------------------------------
 
 template <ShapeKind kind, bool moving, class Real>
-typename Pack<Real>::Mask blocked_lanes(const Group<Real>& g, int body, const Query<Real>& q) {
+[[gnu::always_inline]] inline typename Pack<Real>::Mask blocked_lanes(const Group<Real>& g, int body,
+                                                                      const Query<Real>& q) {
     using I = typename Pack<Real>::I;
     using F = typename Pack<Real>::F;
     const auto s = hit_body<kind, moving>(*g.table, g.group, body, all_lanes(q));
@@ -233,7 +237,8 @@ bool plane_moves(const BodyTable<Real>& table, int body) {
 }
 
 template <class Real>
-void intersect_planes(const Group<Real>& planes, const Query<Real>& q, const typename Pack<Real>::Mask& valid) {
+[[gnu::always_inline]] inline void intersect_planes(const Group<Real>& planes, const Query<Real>& q,
+                                                    const typename Pack<Real>::Mask& valid) {
     for (int i = 0; i < planes.group.count; ++i) {
         const int body = planes.group.first + i;
         if (plane_moves(*planes.table, body))
@@ -244,7 +249,8 @@ void intersect_planes(const Group<Real>& planes, const Query<Real>& q, const typ
 }
 
 template <class Real>
-typename Pack<Real>::Mask occluded_by_planes(const Group<Real>& planes, const Query<Real>& q) {
+[[gnu::always_inline]] inline typename Pack<Real>::Mask occluded_by_planes(const Group<Real>& planes,
+                                                                           const Query<Real>& q) {
     typename Pack<Real>::Mask blocked(false);
     for (int i = 0; i < planes.group.count; ++i) {
         const int body = planes.group.first + i;
@@ -308,7 +314,8 @@ void embree_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
 }
 
 template <class Real, class EmbreeRay>
-void fill_ray(EmbreeRay& e, const RayPacket<Real>& r, const typename Pack<Real>::R& tmax) {
+[[gnu::always_inline]] inline void fill_ray(EmbreeRay& e, const RayPacket<Real>& r,
+                                            const typename Pack<Real>::R& tmax) {
     using F = typename Pack<Real>::F;
     using U = typename Pack<Real>::U;
     store(num_cast<F>(r.o.x), e.org_x);
@@ -327,7 +334,7 @@ void fill_ray(EmbreeRay& e, const RayPacket<Real>& r, const typename Pack<Real>:
 
 // Embree aborts the process on rays like these; a NaN fails every comparison.
 template <class Real>
-typename Pack<Real>::Mask traceable(const RayPacket<Real>& r) {
+[[gnu::always_inline]] inline typename Pack<Real>::Mask traceable(const RayPacket<Real>& r) {
     using R = typename Pack<Real>::R;
     using F = typename Pack<Real>::F;
     using std::abs;
@@ -340,14 +347,14 @@ typename Pack<Real>::Mask traceable(const RayPacket<Real>& r) {
 }
 
 template <class Real>
-typename Pack<Real>::R coincidence_distance(const RayPacket<Real>& r) {
+[[gnu::always_inline]] inline typename Pack<Real>::R coincidence_distance(const RayPacket<Real>& r) {
     using R = typename Pack<Real>::R;
     using std::abs;
     return max(abs(r.o.x), max(abs(r.o.y), abs(r.o.z))) * R(coincidence_tolerance<Real>);
 }
 
 template <class Real>
-typename Pack<Real>::Mask reject_bad(const RayPacket<Real>& r, TraceCounters& counters) {
+[[gnu::always_inline]] inline typename Pack<Real>::Mask reject_bad(const RayPacket<Real>& r, TraceCounters& counters) {
     const auto ok = traceable(r);
     if (const auto bad = r.active && !ok; any(bad)) counters.rejected += std::uint64_t(count(bad));
     return r.active && ok;

@@ -10,7 +10,7 @@ namespace drt {
 
 /// The bits of `v` as another type of the same size: lanes to lanes, scalar to scalar.
 template <class To, class From>
-To bits_as(const From& v) {
+[[gnu::always_inline]] inline To bits_as(const From& v) {
     static_assert(width_of<To> == width_of<From> && sizeof(ScalarOf<To>) == sizeof(ScalarOf<From>));
     if constexpr (std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>) {
         return std::bit_cast<To>(v);
@@ -24,7 +24,7 @@ To bits_as(const From& v) {
 
 /// Bit 0 becomes bit 31 and so on. U holds std::uint32_t.
 template <class U>
-U reverse_bits(U v) {
+[[gnu::always_inline]] inline U reverse_bits(U v) {
     static_assert(std::is_same_v<ScalarOf<U>, std::uint32_t>);
 #if defined(__GFNI__) && defined(__AVX512BW__)
     if constexpr (is_lane<U> && sizeof(U) == 64) {
@@ -39,6 +39,32 @@ U reverse_bits(U v) {
     v = ((v >> 4) & U(0x0f0f0f0fu)) | ((v & U(0x0f0f0f0fu)) << 4);
     v = ((v >> 8) & U(0x00ff00ffu)) | ((v & U(0x00ff00ffu)) << 8);
     return (v >> 16) | (v << 16);
+}
+
+/// table[v & 15] in every lane. U holds std::uint32_t.
+template <class U>
+[[gnu::always_inline]] inline U lookup_nibble(const std::array<std::uint32_t, 16>& table, const U& v) {
+#if defined(__AVX512F__)
+    if constexpr (is_lane<U> && sizeof(U) == 64)
+        return U(_mm512_permutexvar_epi32(static_cast<__m512i>(v), _mm512_loadu_si512(table.data())));
+#endif
+#if defined(__AVX2__)
+    if constexpr (is_lane<U> && sizeof(U) == 32 && width_of<U> == 8) {
+        const __m256i index = static_cast<__m256i>(v);
+        const auto half = [&](size_t from) {
+            return _mm256_permutevar8x32_epi32(
+                _mm256_loadu_si256(reinterpret_cast<const __m256i*>(table.data() + from)), index);
+        };
+        // bit 3 chooses the half of the table: moved to the sign, where the blend looks
+        const __m256 upper = _mm256_castsi256_ps(_mm256_slli_epi32(index, 28));
+        return U(
+            _mm256_castps_si256(_mm256_blendv_ps(_mm256_castsi256_ps(half(0)), _mm256_castsi256_ps(half(8)), upper)));
+    }
+#endif
+    if constexpr (!is_lane<U>)
+        return table[v & 15u];
+    else
+        return U([&](auto i) { return table[v[i] & 15u]; });
 }
 
 }  // namespace drt

@@ -150,6 +150,15 @@ template <class T>
     const I e = (bits - I(0x3f3504f3)) >> 23;  // 0x3f3504f3 is sqrt(1/2)
     return {bits_as<T>(I(bits - (e << 23))), num_cast<T>(e)};
 }
+
+/// y, or what the logarithm of x is where x is not a normal positive number.
+template <class T>
+[[gnu::always_inline]] inline T log_in_range(const T& x, T y) {
+    using L = std::numeric_limits<float>;
+    y = select(x > T(L::max()), x, y);
+    y = select(x < T(L::min()), T(-L::infinity()), y);
+    return select(x < T(0.0f), T(L::quiet_NaN()), y);
+}
 }  // namespace math_detail
 
 /// Natural logarithm of x >= 2^-126; -inf at (and below the normal numbers at) 0, NaN for x < 0. Float: 1.5 ulp
@@ -160,12 +169,8 @@ template <class T>
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::log(v); });
     } else {
-        using L = std::numeric_limits<float>;
         const auto [m, e] = split_exponent(x);
-        T y = log1p_reduced(T(m - T(1.0f)), e);
-        y = select(x > T(L::max()), x, y);
-        y = select(x < T(L::min()), T(-L::infinity()), y);
-        return select(x < T(0.0f), T(L::quiet_NaN()), y);
+        return log_in_range(x, log1p_reduced(T(m - T(1.0f)), e));
     }
 }
 
@@ -176,7 +181,13 @@ template <class T>
     if constexpr (!is_float<T>) {
         return per_lane(x, [](double v) { return std::log1p(v); });
     } else {
-        return select(x > T(-0.29f) && x < T(0.41f), log1p_reduced(x, T(0.0f)), fast_log(T(T(1.0f) + x)));
+        using I = Rebind<T, std::int32_t>;
+        const T u = T(1.0f) + x;
+        const T lost = x - (u - T(1.0f));  // what the rounding of u took away
+        const auto [m, e] = split_exponent(u);
+        // the exponent of a huge u may be 127, for which nothing is lost and 2^-126 does as well
+        const T scale = power_of_two<T>(max(I(-num_cast<I>(e)), I(-126)));
+        return log_in_range(u, log1p_reduced(T((m - T(1.0f)) + lost * scale), e));
     }
 }
 

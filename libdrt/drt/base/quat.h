@@ -44,7 +44,7 @@ Quat<T> normalize(const Quat<T>& q) {
 }
 
 template <class T>
-Vec3<T> rotate(const Quat<T>& q, const Vec3<T>& v) {
+[[gnu::always_inline]] inline Vec3<T> rotate(const Quat<T>& q, const Vec3<T>& v) {
     const Vec3<T> u{q.x, q.y, q.z};
     const Vec3<T> t = cross(u, v) * T(2);
     return v + t * q.w + cross(u, t);
@@ -52,7 +52,7 @@ Vec3<T> rotate(const Quat<T>& q, const Vec3<T>& v) {
 
 /// The inverse rotation of `rotate`.
 template <class T>
-Vec3<T> rotate_back(const Quat<T>& q, const Vec3<T>& v) {
+[[gnu::always_inline]] inline Vec3<T> rotate_back(const Quat<T>& q, const Vec3<T>& v) {
     return rotate(conjugate(q), v);
 }
 

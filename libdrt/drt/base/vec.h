@@ -66,7 +66,7 @@ template <class T>
 /// Undefined (NaN) for the zero vector: callers check where zero can occur.
 template <class T>
 [[gnu::always_inline]] inline Vec3<T> normalize(const Vec3<T>& a) {
-    return a / length(a);
+    return a * inverse_sqrt(dot(a, a));
 }
 
 template <class T>

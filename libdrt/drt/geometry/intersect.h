@@ -102,12 +102,17 @@ struct Slab {
 
     [[gnu::always_inline]] void clip(const T& o, const T& d, ScalarOf<T> half, int axis) {
         using I = Rebind<T, int>;
-        const T inv = T(1) / d;
-        const T a = (T(-half) - o) * inv, b = (T(half) - o) * inv;
         using std::abs;
-        const auto parallel = d == T(0);
-        const T apart = select(abs(o) <= T(half), T(-infinity), T(infinity));
-        const T near = select(parallel, apart, min(a, b)), far = select(parallel, -apart, max(a, b));
+        const T inv = reciprocal(d);
+        const T a = (T(-half) - o) * inv, b = (T(half) - o) * inv;
+        T near = min(a, b), far = max(a, b);
+        // also where the reciprocal would leave the range of numbers
+        const auto parallel = abs(d) < T(8 * std::numeric_limits<ScalarOf<T>>::min());
+        if (any(parallel)) [[unlikely]] {
+            const T apart = select(abs(o) <= T(half), T(-infinity), T(infinity));
+            near = select(parallel, apart, near);
+            far = select(parallel, -apart, far);
+        }
         const auto later = near > lo;
         const auto sooner = far < hi;
         lo = select(later, near, lo);

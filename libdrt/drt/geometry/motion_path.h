@@ -77,7 +77,7 @@ Pose<T> pose_at(std::span<const MotionPiece<ScalarOf<T>>> pieces, const T& u) {
 
 /// The centre alone, for bodies whose orientation does not matter (spheres).
 template <class T>
-Vec3<T> center_at(std::span<const MotionPiece<ScalarOf<T>>> pieces, const T& u) {
+[[gnu::always_inline]] inline Vec3<T> center_at(std::span<const MotionPiece<ScalarOf<T>>> pieces, const T& u) {
     using namespace detail;
     Vec3<T> center = piece_center(pieces[0], local_parameter(pieces[0], u));
     for (size_t i = 1; i < pieces.size(); ++i) {

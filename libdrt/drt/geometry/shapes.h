@@ -59,19 +59,19 @@ enum Part : int { part_side = 0, part_top = 1, part_bottom = 2 };
 namespace start {
 inline constexpr int none = -1;
 template <class I>
-I pack(const I& body, const I& part, const I& outward) {
+[[gnu::always_inline]] inline I pack(const I& body, const I& part, const I& outward) {
     return body * 16 + part * 2 + outward;
 }
 template <class I>
-I body(const I& s) {
+[[gnu::always_inline]] inline I body(const I& s) {
     return s >> 4;
 }
 template <class I>
-I part(const I& s) {
+[[gnu::always_inline]] inline I part(const I& s) {
     return (s >> 1) & 7;
 }
 template <class I>
-auto outward(const I& s) {
+[[gnu::always_inline]] inline auto outward(const I& s) {
     return (s & 1) == I(1);
 }
 }  // namespace start

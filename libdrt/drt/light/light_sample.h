@@ -22,14 +22,14 @@ struct LightSample {
 
 namespace light_detail {
 
+/// Without the intensity.
 template <class T>
 [[gnu::always_inline]] inline LightSample<T> towards(const Vec3<T>& from, const Vec3<T>& to) {
     using F = Rebind<T, float>;
-    using std::sqrt;
     const Vec3<T> v = to - from;
     const T d2 = dot(v, v);
-    const T d = sqrt(d2);
-    return {v / d, d, Color3<F>(F(0)), mask_cast<F>(d2 > T(0))};
+    const T inverse = inverse_sqrt(d2);
+    return {v * inverse, d2 * inverse, Color3<F>(F(0)), mask_cast<F>(d2 > T(0))};
 }
 
 /// E / pi is unbounded as a light is approached; this keeps it finite, far beyond the film's own clamp.
@@ -49,7 +49,8 @@ template <class T>
                                                           const Vec2<T>&) {
     using Real = ScalarOf<T>;
     LightSample<T> s = light_detail::towards(p, l.position);
-    light_detail::set_intensity(s, l, T(1 / pi<Real>) / (s.distance * s.distance));
+    const T inverse = reciprocal(s.distance);
+    light_detail::set_intensity(s, l, T(1 / pi<Real>) * (inverse * inverse));
     return s;
 }
 
@@ -62,7 +63,8 @@ template <class T>
     LightSample<T> s = light_detail::towards(p, l.corner + l.edge_x * u.x + l.edge_y * u.y);
     const T cosine = -dot(s.wi, l.normal);
     const T facing = select(l.two_sided, abs(cosine), max(cosine, T(0)));
-    light_detail::set_intensity(s, l, facing * l.area * T(1 / pi<Real>) / (s.distance * s.distance));
+    const T inverse = reciprocal(s.distance);
+    light_detail::set_intensity(s, l, (facing * inverse) * (l.area * T(1 / pi<Real>) * inverse));
     return s;
 }
 

@@ -34,8 +34,8 @@ struct MaterialTable {
 };
 
 template <class F, class I>
-Color3<F> gather_color(const ColorColumn& c, const I& id) {
-    return {gather<F>(c.r.data(), id), gather<F>(c.g.data(), id), gather<F>(c.b.data(), id)};
+[[gnu::always_inline]] inline Color3<F> gather_color(const ColorColumn& c, const I& id) {
+    return {gather_coherent<F>(c.r.data(), id), gather_coherent<F>(c.g.data(), id), gather_coherent<F>(c.b.data(), id)};
 }
 
 }  // namespace drt

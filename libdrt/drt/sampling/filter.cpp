@@ -66,6 +66,7 @@ void tabulate(FilterTable& filter) {
     }
     filter.absolute_integral = 2 * absolute;
     filter.integral = 2 * net;
+    filter.weight = float(absolute / net);
 }
 
 }  // namespace

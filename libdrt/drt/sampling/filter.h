@@ -36,6 +36,7 @@ struct FilterTable {
     std::vector<FilterPiece> pieces;  ///< by rising `from`
     double integral = 1;              ///< of f along an axis
     double absolute_integral = 1;     ///< of |f|
+    float weight = 1;                 ///< of a sample along an axis, without its sign: the ratio of the two
 };
 
 FilterTable make_filter(const FilterSpec&);
@@ -70,8 +71,7 @@ template <class T>
         v = select(here, T(constant(p.v0) + constant(p.v1) * a), v);
         table = select(mask_cast<I>(here), I(std::int32_t(i)), table);
     }
-    return {start + direction * inverse_cdf(filter.inverse, table, v),
-            sign * T(ScalarOf<T>(filter.absolute_integral / filter.integral))};
+    return {start + direction * inverse_cdf(filter.inverse, table, v), sign * T(ScalarOf<T>(filter.weight))};
 }
 
 template <class T>

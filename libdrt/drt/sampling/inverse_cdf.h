@@ -47,9 +47,8 @@ template <class T>
     const T scale = num_cast<T>(bits_as<F>(I(I(one) + (((cell >> 4) + I(5)) << 23))));  // 1 / the cell's width in v
     const T r = (upper - v) * scale;
     const I at = (table * I(InverseCdfs::cells) + cell) * I(4);
-    const float* c = tables.coefficients.data();
-    const auto coefficient = [&](int k) { return num_cast<T>(gather<F>(c + k, at)); };
-    return coefficient(0) + r * (coefficient(1) + r * (coefficient(2) + r * coefficient(3)));
+    const std::array<F, 4> c = gather_quads<F>(tables.coefficients.data(), at);
+    return num_cast<T>(c[0]) + r * (num_cast<T>(c[1]) + r * (num_cast<T>(c[2]) + r * num_cast<T>(c[3])));
 }
 
 }  // namespace drt

@@ -13,7 +13,7 @@
 #include <array>
 #include <cstdint>
 
-#include "drt/base/simd.h"
+#include "drt/base/bits.h"
 
 namespace drt {
 
@@ -28,16 +28,31 @@ inline constexpr std::array<std::array<std::uint32_t, joint_columns>, joint_dims
     {0x1, 0x2, 0x5, 0xb, 0x13, 0x3c, 0x79, 0xce, 0x128, 0x3fd, 0x42b, 0x95c},
 }};
 
+namespace sampler_detail {
+
+/// (M_k + identity) times every value of four neighbouring index bits.
+using NibbleTable = std::array<std::uint32_t, 16>;
+
+constexpr std::array<std::array<NibbleTable, joint_columns / 4>, joint_dims> make_joint_changes() {
+    std::array<std::array<NibbleTable, joint_columns / 4>, joint_dims> out{};
+    for (size_t k = 0; k < joint_dims; ++k)
+        for (size_t b = 0; b < joint_columns; ++b)
+            for (size_t v = 0; v < 16; ++v)
+                if (v >> (b % 4) & 1) out[k][b / 4][v] ^= joint_matrices[k][b] ^ (1u << b);
+    return out;
+}
+
+inline constexpr auto joint_changes = make_joint_changes();
+
+}  // namespace sampler_detail
+
 /// M_slot times the bits of the index; slot in 0..3.
 template <class U>
-U joint_index(const U& index, int slot) {
+[[gnu::always_inline]] inline U joint_index(const U& index, int slot) {
     if (slot == 0) return index;
-    U result = index;
-    for (int b = 1; b < joint_columns; ++b) {
-        const std::uint32_t change = joint_matrices[size_t(slot)][size_t(b)] ^ (1u << b);
-        result ^= U(change) & (U(0u) - ((index >> b) & U(1u)));
-    }
-    return result;
+    const auto& changes = sampler_detail::joint_changes[size_t(slot)];
+    return index ^ lookup_nibble(changes[0], index) ^ lookup_nibble(changes[1], U(index >> 4)) ^
+           lookup_nibble(changes[2], U(index >> 8));
 }
 
 }  // namespace drt

@@ -29,6 +29,9 @@ constexpr DimId dim(HitDim d, int bounce, int index = 0) {
     return 0x100u + DimId(d) + 8u * (DimId(bounce) & 0xffffu) + 0x100000u * DimId(index);
 }
 
+/// A dimension at the joint slot that the lights and the lobe of one hit share.
+constexpr DimId hit_dim(int bounce) { return dim(HitDim::light, bounce); }
+
 /// Where a dimension stands among those it is stratified with.
 struct JointSlot {
     std::uint32_t group;  ///< dimensions of a group share a shuffled index
@@ -63,14 +66,15 @@ struct SampleSet {
 
 /// The key of a pixel's sample set: well mixed, so that neighbours, frames, seeds and replicates are independent.
 template <class U>
-U sample_key(std::uint32_t seed, std::uint32_t frame, std::uint32_t replicate, const U& x, const U& y) {
+[[gnu::always_inline]] inline U sample_key(std::uint32_t seed, std::uint32_t frame, std::uint32_t replicate, const U& x,
+                                           const U& y) {
     const std::uint32_t image = hash_combine(hash_combine(mix_bits(seed), frame), replicate);
     return hash_combine(hash_combine(U(image), x), y);
 }
 
 /// Bits to [0, 1): the upper 24 for float (32 could round up to 1), all 32 for double.
 template <class T>
-T unit_interval(const Rebind<T, std::uint32_t>& bits) {
+[[gnu::always_inline]] inline T unit_interval(const Rebind<T, std::uint32_t>& bits) {
     if constexpr (std::is_same_v<ScalarOf<T>, float>)
         return num_cast<T>(num_cast<Rebind<T, std::int32_t>>(Rebind<T, std::uint32_t>(bits >> 8))) * T(0x1p-24f);
     else
@@ -81,7 +85,7 @@ T unit_interval(const Rebind<T, std::uint32_t>& bits) {
 /// the bits below it. Laine and Karras' kind of hash with Vegdahl's constants
 /// (psychopath.io/post/2021_01_30_building_a_better_lk_hash).
 template <class U>
-U owen_scramble_reversed(U v, const U& key) {
+[[gnu::always_inline]] inline U owen_scramble_reversed(U v, const U& key) {
     v ^= v * U(0x3d20adeau);
     v += key;
     v *= (key >> 16) | U(1u);
@@ -94,7 +98,7 @@ U owen_scramble_reversed(U v, const U& key) {
 /// (i, j) is 1 where the bits of i are a subset of those of j (Lucas). So digit i is the sum of the index' bits over
 /// all supersets of i: five masked shifts. Bit 0 of the result is the first digit after the binary point.
 template <class U>
-U sobol_second_digits(U index) {
+[[gnu::always_inline]] inline U sobol_second_digits(U index) {
     index ^= (index >> 1) & U(0x55555555u);
     index ^= (index >> 2) & U(0x33333333u);
     index ^= (index >> 4) & U(0x0f0f0f0fu);
@@ -112,27 +116,55 @@ struct ScrambleKeys {
 };
 
 template <class U>
-ScrambleKeys<U> scramble_keys(const U& key, DimId dim) {
+[[gnu::always_inline]] inline ScrambleKeys<U> scramble_keys(const U& key, DimId dim) {
     const U h = hash_combine(key, U(mix_bits(dim + 0x68e31da4u)));
     return {h, mix_bits(U(h + U(0x1b56c4e9u)))};
 }
 
-/// The index within the joint point set, Owen-shuffled by group: every aligned block of 2^k indices maps to an aligned
-/// block of 2^k.
-template <class U>
-[[gnu::always_inline]] inline U set_index(const U& index, const U& key, DimId dim) {
-    const auto [group, slot] = joint_slot(dim);
-    const U shuffle = hash_combine(key, U(mix_bits(group + 0xb5297a4du)));
-    return joint_index(U(reverse_bits(owen_scramble_reversed(reverse_bits(index), shuffle))), slot);
-}
-
 /// x and y of SamplerKind::independent, before scrambling.
 template <class U>
-U independent_bits(const U& index, const U& scramble_key) {
+[[gnu::always_inline]] inline U independent_bits(const U& index, const U& scramble_key) {
     return mix_bits(hash_combine(scramble_key, index));
 }
 
 }  // namespace sampler_detail
+
+/// A sample set as the dimensions of one group see it: its index is shuffled.
+template <class T>
+struct GroupSamples {
+    using U = Rebind<T, std::uint32_t>;
+    U key, index;
+};
+
+/// A sample set as the dimensions of one joint slot see it: what those that share a slot, all lights of a hit, say,
+/// have in common.
+template <class T>
+struct SlotSamples {
+    using U = Rebind<T, std::uint32_t>;
+    U key;
+    U index;  ///< within the slot's point set
+};
+
+/// Owen-shuffled: every aligned block of 2^k indices maps to an aligned block of 2^k.
+template <class T>
+[[gnu::always_inline]] inline GroupSamples<T> in_group(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+    using U = Rebind<T, std::uint32_t>;
+    if (kind == SamplerKind::independent) return {set.key, set.index};
+    const U shuffle = hash_combine(set.key, U(mix_bits(joint_slot(dimension).group + 0xb5297a4du)));
+    return {set.key, reverse_bits(owen_scramble_reversed(reverse_bits(set.index), shuffle))};
+}
+
+/// The dimension must be of the group.
+template <class T>
+[[gnu::always_inline]] inline SlotSamples<T> at_slot(SamplerKind kind, const GroupSamples<T>& set, DimId dimension) {
+    if (kind == SamplerKind::independent) return {set.key, set.index};
+    return {set.key, joint_index(set.index, joint_slot(dimension).slot)};
+}
+
+template <class T>
+[[gnu::always_inline]] inline SlotSamples<T> at_slot(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+    return at_slot(kind, in_group(kind, set, dimension), dimension);
+}
 
 // Always inlined: with kind and dimension known, the branches go, the matrix becomes constants and dimensions of a
 // group share their index; two to three times as fast.
@@ -140,7 +172,7 @@ U independent_bits(const U& index, const U& scramble_key) {
 /// In [0, 1) x [0, 1): never 1, also not after rounding to float. Every aligned power-of-two block of indices is a
 /// (0, k, 2)-net. The same bits for scalars and lanes of every width.
 template <class T>
-[[gnu::always_inline]] inline Vec2<T> sample_2d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+[[gnu::always_inline]] inline Vec2<T> sample_2d(SamplerKind kind, const SlotSamples<T>& set, DimId dimension) {
     using U = Rebind<T, std::uint32_t>;
     using namespace sampler_detail;
     const auto keys = scramble_keys<U>(set.key, dimension);
@@ -148,20 +180,31 @@ template <class T>
         return {unit_interval<T>(independent_bits(set.index, keys.x)),
                 unit_interval<T>(independent_bits(set.index, keys.y))};
     // Sobol's first dimension is the bit-reversed index, so its digits, first digit in bit 0, are the index itself.
-    const U s = set_index(set.index, set.key, dimension);
-    const U x = reverse_bits(owen_scramble_reversed(s, keys.x));
-    const U y = reverse_bits(owen_scramble_reversed(sobol_second_digits(s), keys.y));
+    const U x = reverse_bits(owen_scramble_reversed(set.index, keys.x));
+    const U y = reverse_bits(owen_scramble_reversed(sobol_second_digits(set.index), keys.y));
     return {unit_interval<T>(x), unit_interval<T>(y)};
+}
+
+/// The dimension by itself.
+template <class T>
+[[gnu::always_inline]] inline Vec2<T> sample_2d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+    return sample_2d(kind, at_slot(kind, set, dimension), dimension);
 }
 
 /// In [0, 1): the x of sample_2d.
 template <class T>
-[[gnu::always_inline]] inline T sample_1d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+[[gnu::always_inline]] inline T sample_1d(SamplerKind kind, const SlotSamples<T>& set, DimId dimension) {
     using U = Rebind<T, std::uint32_t>;
     using namespace sampler_detail;
     const U key = scramble_keys<U>(set.key, dimension).x;
     if (kind == SamplerKind::independent) return unit_interval<T>(independent_bits(set.index, key));
-    return unit_interval<T>(reverse_bits(owen_scramble_reversed(set_index(set.index, set.key, dimension), key)));
+    return unit_interval<T>(reverse_bits(owen_scramble_reversed(set.index, key)));
+}
+
+/// The dimension by itself.
+template <class T>
+[[gnu::always_inline]] inline T sample_1d(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
+    return sample_1d(kind, at_slot(kind, set, dimension), dimension);
 }
 
 }  // namespace drt

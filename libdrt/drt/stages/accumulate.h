@@ -7,7 +7,8 @@ namespace drt {
 
 namespace detail {
 template <class F, class I, class Mask>
-void add_column(Column<float>& column, int i, bool contiguous, const I& slot, const Mask& m, const F& v) {
+[[gnu::always_inline]] inline void add_column(Column<float>& column, int i, bool contiguous, const I& slot,
+                                              const Mask& m, const F& v) {
     if (contiguous) {
         float* p = column.at(i);
         store(load<F>(p) + select(m, v, F(0)), p);
@@ -21,8 +22,8 @@ void add_column(Column<float>& column, int i, bool contiguous, const I& slot, co
 /// Adds light to the paths of packet i, in the lanes of the mask. Before the first compaction slot and ray number
 /// agree.
 template <class Real>
-void add_radiance(RayBatch<Real>& b, int i, const typename Pack<Real>::Mask& m,
-                  const Color3<typename Pack<Real>::F>& light) {
+[[gnu::always_inline]] inline void add_radiance(RayBatch<Real>& b, int i, const typename Pack<Real>::Mask& m,
+                                                const Color3<typename Pack<Real>::F>& light) {
     using I = typename Pack<Real>::I;
     const I slot = load<I>(b.slot.at(i));
     const bool contiguous = b.bounce == 0;

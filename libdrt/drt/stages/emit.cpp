@@ -38,9 +38,11 @@ void emit_stage(StageContext<Real>& c) {
         const I material = load<I>(b.material.at(i));
         const auto shaded = mask_cast<F>(material >= I(0));
         const I safe = max(material, I(0));
-        const auto textured = mask_cast<F>(gather<I>(w.materials.texture.data(), safe) >= I(0));
         Color3<F> ambient = gather_color<F>(w.materials.ambient, safe);
-        ambient = select(textured, load_color<F>(b.albedo, i) * Color3<F>(w.materials.ambient_light), ambient);
+        if (w.features.textures) {
+            const auto textured = mask_cast<F>(gather_coherent<I>(w.materials.texture.data(), safe) >= I(0));
+            ambient = select(textured, load_color<F>(b.albedo, i) * Color3<F>(w.materials.ambient_light), ambient);
+        }
         Color3<F> light = select(hit, Color3<F>(F(0)), background);
         light = select(shaded, ambient, light);
         if (w.features.visible_lights) light += emitted(w, b, i);

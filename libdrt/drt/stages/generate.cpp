@@ -3,88 +3,142 @@
 
 namespace drt {
 
+// In several loops, each over the whole batch: what is done for one packet is a chain in which every step waits for the
+// one before, and the machine can only overlap packets that lie within some hundred instructions of each other.
+
 namespace {
 
+// Names each path's sample set. `hit_index` holds the index as shuffled for the first group of dimensions until the
+// last loop, so that the shuffle is done once.
 template <class Real>
-struct PathStart {
+void name_samples(const StageContext<Real>& c) {
     using P = Pack<Real>;
-    Vec2<typename P::R> position;  // on the film, pixels
-    typename P::F weight;
-    typename P::F time;
-};
-
-// Each dimension is found by its name, so one that is not drawn never shifts the others.
-template <class Real>
-PathStart<Real> start_path(const World<Real>& w, const SampleSet<typename Pack<Real>::F>& set,
-                           const Vec2<typename Pack<Real>::R>& pixel) {
-    using R = typename Pack<Real>::R;
-    using F = typename Pack<Real>::F;
-    PathStart<Real> out;
-    out.position = {pixel.x + R(Real(0.5)), pixel.y + R(Real(0.5))};
-    out.weight = F(1);
-    out.time = F(0);
-    if (w.features.pixel_filter) {
-        const Vec2<F> u = sample_2d(w.sampling.kind, set, dim(PathDim::filter));
-        const FilterSample<F> s = sample_filter(w.filter, u);
-        out.position = {out.position.x + num_cast<R>(s.offset.x), out.position.y + num_cast<R>(s.offset.y)};
-        out.weight = s.weight;
+    using F = typename P::F;
+    using I = typename P::I;
+    using U = typename P::U;
+    const SamplePlan& plan = c.world->sampling;
+    RayBatch<Real>& b = *c.batch;
+    const I width(c.world->camera.film.width), height(c.world->camera.film.height);
+    int slot = 0;
+    for (int s = 0; s < c.samples; ++s) {
+        const std::uint32_t sample = c.first_sample + std::uint32_t(s);
+        for (int i = 0; i < c.pixels->count(); i += P::width, slot += P::width) {
+            const I x = load<I>(&c.pixels->x[size_t(i)]), y = load<I>(&c.pixels->y[size_t(i)]);
+            const SampleSet<F> set{sample_key<U>(plan.seed, plan.frame, std::uint32_t(replicate_of(sample)),
+                                                 num_cast<U>(x), num_cast<U>(y)),
+                                   U(index_in_replicate(sample))};
+            store(select(x < width && y < height, iota<I>() + slot, I(-1)), b.slot.at(slot));
+            store(set.key, b.key.at(slot));
+            store(set.index, b.index.at(slot));
+            store(in_group(plan.kind, set, dim(PathDim::filter)).index, b.hit_index.at(slot));
+        }
     }
-    if (w.features.time)
-        out.time = shutter_time(sample_1d(w.sampling.kind, set, dim(PathDim::time)), F(w.camera.switch_ratio));
-    return out;
+    b.count = slot;
 }
 
 template <class Real>
-CameraRay<typename Pack<Real>::R> make_ray(const World<Real>& w, const View<typename Pack<Real>::R>& view,
-                                           const SampleSet<typename Pack<Real>::F>& set, const PathStart<Real>& path) {
+GroupSamples<typename Pack<Real>::F> path_samples(const RayBatch<Real>& b, int i) {
+    using U = typename Pack<Real>::U;
+    return {load<U>(b.key.at(i)), load<U>(b.hit_index.at(i))};
+}
+
+// Points of the unit square for the pixel filter: into p.x and p.y, which nobody needs yet.
+template <class Real>
+void sample_filter_points(const StageContext<Real>& c) {
     using R = typename Pack<Real>::R;
     using F = typename Pack<Real>::F;
-    if (!w.features.lens) return camera_ray<false>(view, w.camera.film, w.camera.lens, path.position, {});
-    const Vec2<F> u = sample_2d(w.sampling.kind, set, dim(PathDim::lens));
-    return camera_ray<true>(view, w.camera.film, w.camera.lens, path.position, {num_cast<R>(u.x), num_cast<R>(u.y)});
+    RayBatch<Real>& b = *c.batch;
+    const SamplerKind kind = c.world->sampling.kind;
+    constexpr DimId dimension = dim(PathDim::filter);
+    for (int i = 0; i < b.count; i += Pack<Real>::width) {
+        const Vec2<F> u = sample_2d(kind, at_slot(kind, path_samples(b, i), dimension), dimension);
+        store(num_cast<R>(u.x), b.p.x.at(i));
+        store(num_cast<R>(u.y), b.p.y.at(i));
+    }
+}
+
+// Where on the film, in pixels: into p.x and p.y again. The filter's weight starts the throughput.
+template <class Real>
+void place_on_film(const StageContext<Real>& c) {
+    using P = Pack<Real>;
+    using R = typename P::R;
+    using F = typename P::F;
+    using I = typename P::I;
+    const World<Real>& w = *c.world;
+    RayBatch<Real>& b = *c.batch;
+    int pixel = 0;
+    for (int i = 0; i < b.count; i += P::width, pixel += P::width) {
+        if (pixel == c.pixels->count()) pixel = 0;
+        R x = num_cast<R>(load<I>(&c.pixels->x[size_t(pixel)])) + R(Real(0.5));
+        R y = num_cast<R>(load<I>(&c.pixels->y[size_t(pixel)])) + R(Real(0.5));
+        F weight(1);
+        if (w.features.pixel_filter) {
+            const Vec2<F> u{num_cast<F>(load<R>(b.p.x.at(i))), num_cast<F>(load<R>(b.p.y.at(i)))};
+            const FilterSample<F> s = sample_filter(w.filter, u);
+            x += num_cast<R>(s.offset.x);
+            y += num_cast<R>(s.offset.y);
+            weight = s.weight;
+        }
+        store(x, b.p.x.at(i));
+        store(y, b.p.y.at(i));
+        store_color(Color3<F>(weight), b.throughput, i);
+    }
+}
+
+template <class Real>
+[[gnu::always_inline]] inline CameraRay<typename Pack<Real>::R> make_ray(
+    const World<Real>& w, const View<typename Pack<Real>::R>& view, const Vec2<typename Pack<Real>::R>& position,
+    const GroupSamples<typename Pack<Real>::F>& samples) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    if (!w.features.lens) return camera_ray<false>(view, w.camera.film, w.camera.lens, position, {});
+    constexpr DimId dimension = dim(PathDim::lens);
+    const Vec2<F> u = sample_2d(w.sampling.kind, at_slot(w.sampling.kind, samples, dimension), dimension);
+    return camera_ray<true>(view, w.camera.film, w.camera.lens, position, {num_cast<R>(u.x), num_cast<R>(u.y)});
+}
+
+template <class Real>
+void aim_rays(const StageContext<Real>& c) {
+    using P = Pack<Real>;
+    using R = typename P::R;
+    using F = typename P::F;
+    using I = typename P::I;
+    const World<Real>& w = *c.world;
+    RayBatch<Real>& b = *c.batch;
+    View<R> view = cast<R>(w.view);
+    const bool point = w.filter.spec.kind == FilterKind::point;
+    const F spread(float(w.view.pixel_size) * (point ? 1.0f : 0.5f));  // docs/images-and-textures.md
+    for (int i = 0; i < b.count; i += P::width) {
+        const GroupSamples<F> samples = path_samples(b, i);
+        F time(0);
+        if (w.features.time) {
+            constexpr DimId dimension = dim(PathDim::time);
+            const F u = sample_1d(w.sampling.kind, at_slot(w.sampling.kind, samples, dimension), dimension);
+            time = shutter_time(u, F(w.camera.switch_ratio));
+        }
+        if (w.features.moving_camera) view = view_at(w.camera, num_cast<R>(time));
+        const CameraRay<R> ray = make_ray(w, view, {load<R>(b.p.x.at(i)), load<R>(b.p.y.at(i))}, samples);
+        store3(ray.o, b.o, i);
+        store3(ray.d, b.d, i);
+        store(time, b.time.at(i));
+        store(I(start::none), b.start.at(i));
+        store(at_slot(w.sampling.kind, samples, hit_dim(0)).index, b.hit_index.at(i));
+        store(F(0), b.footprint.at(i));
+        store(spread, b.spread.at(i));
+        store_color(Color3<F>(F(0)), b.radiance, i);
+        store(F(0), b.alpha.at(i));
+    }
 }
 
 }  // namespace
 
 template <class Real>
 void generate_stage(StageContext<Real>& c) {
-    using P = Pack<Real>;
-    using R = typename P::R;
-    using F = typename P::F;
-    using I = typename P::I;
-    using U = typename P::U;
-    const World<Real>& w = *c.world;
     RayBatch<Real>& b = *c.batch;
-    View<R> view = cast<R>(w.view);
-    const bool point = w.filter.spec.kind == FilterKind::point;
-    const float pixel_spread = float(w.view.pixel_size) * (point ? 1.0f : 0.5f);  // docs/images-and-textures.md
-    int slot = 0;
-    for (int s = 0; s < c.samples; ++s) {
-        const std::uint32_t sample = c.first_sample + std::uint32_t(s);
-        for (int i = 0; i < c.pixels->count(); i += P::width, slot += P::width) {
-            const I x = load<I>(&c.pixels->x[size_t(i)]), y = load<I>(&c.pixels->y[size_t(i)]);
-            const SampleSet<F> set{sample_key<U>(w.sampling.seed, w.sampling.frame, std::uint32_t(replicate_of(sample)),
-                                                 num_cast<U>(x), num_cast<U>(y)),
-                                   U(index_in_replicate(sample))};
-            const PathStart<Real> path = start_path(w, set, {num_cast<R>(x), num_cast<R>(y)});
-            if (w.features.moving_camera) view = view_at(w.camera, num_cast<R>(path.time));
-            const CameraRay<R> ray = make_ray(w, view, set, path);
-            store3(ray.o, b.o, slot);
-            store3(ray.d, b.d, slot);
-            store(path.time, b.time.at(slot));
-            store(I(start::none), b.start.at(slot));
-            const auto inside = x < I(w.camera.film.width) && y < I(w.camera.film.height);
-            store(select(inside, iota<I>() + slot, I(-1)), b.slot.at(slot));
-            store(set.key, b.key.at(slot));
-            store(set.index, b.index.at(slot));
-            store_color(Color3<F>(path.weight), b.throughput, slot);
-            store(F(0), b.footprint.at(slot));
-            store(F(pixel_spread), b.spread.at(slot));
-            store_color(Color3<F>(F(0)), b.radiance, slot);
-            store(F(0), b.alpha.at(slot));
-        }
-    }
-    b.count = slot;
+    name_samples(c);
+    if (c.world->features.pixel_filter) sample_filter_points(c);
+    place_on_film(c);
+    aim_rays(c);
     b.bounce = 0;
     std::fill(b.media_count.begin(), b.media_count.end(), 0);
     c.counters->camera_rays += std::uint64_t(c.pixels->valid_count) * std::uint64_t(c.samples);

@@ -29,25 +29,34 @@ struct Column3 {
 };
 
 template <class V, class S>
-Vec3<V> load3(const Column3<S>& c, int i) {
+[[gnu::always_inline]] inline Vec3<V> load3(const Column3<S>& c, int i) {
     return {load<V>(c.x.at(i)), load<V>(c.y.at(i)), load<V>(c.z.at(i))};
 }
 template <class V, class S>
-Color3<V> load_color(const Column3<S>& c, int i) {
+[[gnu::always_inline]] inline Color3<V> load_color(const Column3<S>& c, int i) {
     return {load<V>(c.x.at(i)), load<V>(c.y.at(i)), load<V>(c.z.at(i))};
 }
 template <class V, class S>
-void store3(const Vec3<V>& v, Column3<S>& c, int i) {
+[[gnu::always_inline]] inline void store3(const Vec3<V>& v, Column3<S>& c, int i) {
     store(v.x, c.x.at(i));
     store(v.y, c.y.at(i));
     store(v.z, c.z.at(i));
 }
 template <class V, class S>
-void store_color(const Color3<V>& v, Column3<S>& c, int i) {
+[[gnu::always_inline]] inline void store_color(const Color3<V>& v, Column3<S>& c, int i) {
     store(v.r, c.x.at(i));
     store(v.g, c.y.at(i));
     store(v.b, c.z.at(i));
 }
+
+/// From the surface points towards one light each, by ray number.
+template <class Real>
+struct ShadowRays {
+    Column3<Real> d;
+    Column<Real> distance;         ///< to the light
+    Column<std::int32_t> exclude;  ///< the light's own body
+    Column3<float> light;          ///< what arrives and is reflected if nothing is in the way; 0: no ray
+};
 
 template <class Real>
 struct RayBatch {
@@ -59,6 +68,7 @@ struct RayBatch {
     Column<std::int32_t> start;
     Column<std::int32_t> slot;         ///< -1: padding, no ray
     Column<std::uint32_t> key, index;  ///< the path's sample set
+    Column<std::uint32_t> hit_index;   ///< the same at the joint slot of the next hit's lights and lobe
     Column3<float> throughput;
     Column<float> footprint, spread;  ///< of the ray's cone: width at the origin, and growth per unit length
 
@@ -72,6 +82,7 @@ struct RayBatch {
     Column<std::int32_t> material;  ///< -1: nothing to shade
     Column<std::int32_t> outward;   ///< 1: the ray came from the side that ng points to
     Column3<float> albedo;          ///< diffuse colour, textured or not
+    ShadowRays<Real> shadow;
 
     // paths, by slot: not compacted
     Column3<float> radiance;

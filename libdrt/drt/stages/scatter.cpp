@@ -61,11 +61,11 @@ Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i
     using I = typename P::I;
     using std::sqrt;
     const Vec3<R> d = load3<R>(b.d, i), n = load3<R>(b.n, i);
-    Directions<Real> out{mirror(d, n), gather<I>(w.materials.reflection_lobe.data(), material),
+    Directions<Real> out{mirror(d, n), gather_coherent<I>(w.materials.reflection_lobe.data(), material),
                          typename P::Mask(false)};
     if (w.features.refraction) {
-        const F kr = gather<F>(w.materials.reflectance.data(), material);
-        const F kt = gather<F>(w.materials.refraction.data(), material);
+        const F kr = gather_coherent<F>(w.materials.reflectance.data(), material);
+        const F kt = gather_coherent<F>(w.materials.refraction.data(), material);
         const F choice = sample_1d(w.sampling.kind, samples, dim(HitDim::lobe_choice, b.bounce));
         const auto through = live && choice * (kr + kt) >= kr && kt > F(0);
         if (!any(through)) return out;
@@ -76,7 +76,8 @@ Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i
         const auto crosses = through && mask_cast<F>(s2 <= R(1));
         const Vec3<R> t = d * eta - n * (eta * c + sqrt(max(R(1) - s2, R(0))));
         out.d = select(mask_cast<R>(crosses), normalize(t), out.d);
-        out.lobe = select(mask_cast<I>(through), gather<I>(w.materials.refraction_lobe.data(), material), out.lobe);
+        out.lobe =
+            select(mask_cast<I>(through), gather_coherent<I>(w.materials.refraction_lobe.data(), material), out.lobe);
         out.refracts = crosses;
     }
     return out;
@@ -84,7 +85,7 @@ Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i
 
 template <class Real>
 Vec3<typename Pack<Real>::R> spread_lobe(const World<Real>& w, const RayBatch<Real>& b, const Directions<Real>& dir,
-                                         const SampleSet<typename Pack<Real>::F>& samples) {
+                                         const SlotSamples<typename Pack<Real>::F>& samples) {
     using R = typename Pack<Real>::R;
     using F = typename Pack<Real>::F;
     using I = typename Pack<Real>::I;
@@ -127,8 +128,8 @@ void scatter_stage(StageContext<Real>& c) {
     for (int i = 0; i < count_before; i += P::width) {
         const I raw_material = load<I>(b.material.at(i));
         const I material = max(raw_material, I(0));
-        F share = gather<F>(w.materials.reflectance.data(), material);
-        if (w.features.refraction) share += gather<F>(w.materials.refraction.data(), material);
+        F share = gather_coherent<F>(w.materials.reflectance.data(), material);
+        if (w.features.refraction) share += gather_coherent<F>(w.materials.refraction.data(), material);
         auto live = mask_cast<F>(raw_material >= I(0)) && share > F(0);
         if (!any(live)) continue;
         Color3<F> throughput = load_color<F>(b.throughput, i) * share;
@@ -137,7 +138,7 @@ void scatter_stage(StageContext<Real>& c) {
         if (!any(live)) continue;
         const Directions<Real> dir = choose_direction(w, b, i, samples, material, live);
         Vec3<R> d = dir.d;
-        if (w.features.glossy) d = spread_lobe(w, b, dir, samples);
+        if (w.features.glossy) d = spread_lobe(w, b, dir, {samples.key, load<U>(b.hit_index.at(i))});
         // A lobe's tail that ends on the wrong side of the surface is mirrored back about the tangent plane.
         const Vec3<R> n = load3<R>(b.n, i);
         const auto below = dot(d, n) < R(0);
@@ -160,6 +161,7 @@ void scatter_stage(StageContext<Real>& c) {
         keep(b.time, time), keep(b.footprint, footprint), keep(b.spread, spread);
         keep(b.start, start), keep(b.slot, slot);
         keep(b.key, samples.key), keep(b.index, samples.index);
+        keep(b.hit_index, at_slot(w.sampling.kind, samples, hit_dim(b.bounce + 1)).index);
         keep(b.throughput.x, throughput.r), keep(b.throughput.y, throughput.g), keep(b.throughput.z, throughput.b);
         out += count(live);
     }

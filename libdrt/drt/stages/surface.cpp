@@ -14,7 +14,7 @@ void surface_stage(StageContext<Real>& c) {
     for (int i = 0; i < b.count; i += P::width) {
         const I body = load<I>(b.body.at(i));
         const auto hit = body >= I(0);
-        const I material = select(hit, gather<I>(w.body_material.data(), max(body, I(0))), I(-1));
+        const I material = select(hit, gather_coherent<I>(w.body_material.data(), max(body, I(0))), I(-1));
         store(material, b.material.at(i));
         if (!any(hit)) continue;
         const Vec3<R> d = load3<R>(b.d, i);

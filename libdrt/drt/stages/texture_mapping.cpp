@@ -165,7 +165,7 @@ Color3<typename Pack<Real>::F> texture_color(const World<Real>& w, const RayBatc
     using F = typename Pack<Real>::F;
     using I = typename Pack<Real>::I;
     const auto textured =
-        material >= I(0) && gather<I>(w.materials.texture.data(), max(material, I(0))) != I(no_texture);
+        material >= I(0) && gather_coherent<I>(w.materials.texture.data(), max(material, I(0))) != I(no_texture);
     Color3<F> out = albedo;
     const I body = load<I>(batch.body.at(i));
     auto todo = textured;
