@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "drt/base/diagnostic.h"
+#include "drt/base/task_order.h"
 
 namespace drt {
 
@@ -430,6 +431,7 @@ RTCBounds to_embree(const Bounds& b) {
 
 template <class Real>
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
+    const task_order::Task order;
     const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
     const auto all = body_bounds(*g.table, g.group, g.group.first + int(args->primID));
     *args->bounds_o = to_embree(all[std::min(size_t(args->timeStep), all.size() - 1)]);
@@ -482,7 +484,9 @@ void Accel<Real>::Impl::build() {
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // without effect on user geometry: see to_embree
     for (const BodyGroup& g : table->groups) add_group(g);
+    task_order::before_loop();
     rtcCommitScene(scene);
+    task_order::after_loop();
     check();
     empty = false;
 }

@@ -10,8 +10,8 @@
 #include <mutex>
 #include <optional>
 
+#include "drt/base/task_order.h"
 #include "drt/render/passes.h"
-#include "drt/render/task_order.h"
 #include "drt/render/tiles.h"
 
 namespace drt {

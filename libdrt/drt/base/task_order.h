@@ -1,8 +1,8 @@
 #pragma once
-// The order of parallel work, for the thread sanitizer. The distributions' TBB is not built with it, so it sees neither
-// that tasks begin after their loop was entered nor that the loop ends after its tasks: everything that passes from one
-// to the other would be a race to it. What tasks do to each other is not told, so that races among them are found.
-// Nothing in other builds.
+// The order of parallel work, for the thread sanitizer. The distributions' TBB and Embree are not built with it, so it
+// sees neither that tasks (callbacks) begin after their loop was entered nor that the loop ends after its tasks:
+// everything that passes from one to the other would be a race to it. What tasks do to each other is not told, so that
+// races among them are found. Nothing in other builds.
 
 #if defined(__SANITIZE_THREAD__)
 #include <sanitizer/tsan_interface.h>
