@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "pictures/scenes.h"
 #include "reference/reference.h"
 #include "support/compare.h"
+#include "support/plant_faults.h"
 
 namespace drt {
 namespace {
@@ -36,7 +35,7 @@ TEST(Sensitivity, NoisePasses) {
 
 TEST(Sensitivity, ALightTwoPercentOffIsSeen) {
     for (const char* name : {"rectangle light", "uniform sphere light", "legacy radial sphere light", "shapes"}) {
-        const CompareResult result = compare_changed(name, [](SceneDesc& scene) { scene.lights[0].color *= 1.02f; });
+        const CompareResult result = compare_changed(name, [](SceneDesc& scene) { brighten_lights(scene, 1.02f); });
         EXPECT_FALSE(result.same) << name << ": " << result.report;
     }
 }
@@ -48,27 +47,16 @@ TEST(Sensitivity, ALightTwoPercentLargerIsSeen) {
 }
 
 TEST(Sensitivity, ALobeFivePercentWiderIsSeen) {
-    const auto widen = [](SceneDesc& scene) {
-        for (Material& m : scene.materials) {
-            m.reflection_spread_degrees *= 1.05;
-            m.refraction_spread_degrees *= 1.05;
-        }
-    };
+    const auto widen = [](SceneDesc& scene) { widen_lobes(scene, 1.05); };
     const CompareResult reflection = compare_changed("glossy reflection", widen, 256);
     EXPECT_FALSE(reflection.same) << reflection.report;
     const CompareResult refraction = compare_changed("glossy refraction", widen, 640);
     EXPECT_FALSE(refraction.same) << refraction.report;
 }
 
-// A filter that is shifted by a tenth of a pixel shows what a view turned by a tenth of a pixel shows.
 TEST(Sensitivity, AFilterShiftedByATenthOfAPixelIsSeen) {
     for (const char* name : {"blackman-harris filter", "gaussian filter", "shapes"}) {
-        const CompareResult result = compare_changed(name, [](SceneDesc& scene) {
-            Camera& camera = scene.cameras[0];
-            const double pixel = 2 * std::tan(camera.fov_degrees_start * std::numbers::pi / 360) / scene.render.width;
-            const Vec3d view = camera.targets[0] - camera.positions[0];
-            camera.targets[0] += normalize(cross(view, camera.up_start)) * (0.1 * pixel * length(view));
-        });
+        const CompareResult result = compare_changed(name, [](SceneDesc& scene) { shift_filter(scene, 0.1); });
         EXPECT_FALSE(result.same) << name << ": " << result.report;
     }
 }

@@ -38,22 +38,38 @@ double chi_squared_score(double sum, double n) {
     return (std::cbrt(sum / n) - (1 - spread)) / std::sqrt(spread);
 }
 
-BlockScore score_block(const PictureEstimate& a, const PictureEstimate& b, BlockScore block,
-                       const CompareOptions& options) {
-    double sum_a = 0, sum_b = 0, variance = 0, squared_variances = 0;
+/// Sums over the pixels of a block.
+struct BlockSum {
+    double mean = 0, variance = 0;
+    double squares = 0;  ///< of the variances, each over its degrees of freedom
+};
+
+BlockSum sum_block(const PictureEstimate& picture, const BlockScore& block) {
+    BlockSum sum;
     for (int y = block.y; y < block.y + block.height; ++y) {
         for (int x = block.x; x < block.x + block.width; ++x) {
-            const size_t i = a.index(x, y);
-            sum_a += channel_of(a.mean[i], block.channel);
-            sum_b += channel_of(b.mean[i], block.channel);
-            const double va = channel_of(a.variance[i], block.channel), vb = channel_of(b.variance[i], block.channel);
-            variance += va + vb;
-            squared_variances += va * va / a.freedom + vb * vb / b.freedom;
+            const size_t i = picture.index(x, y);
+            const double variance = channel_of(picture.variance[i], block.channel);
+            sum.mean += channel_of(picture.mean[i], block.channel);
+            sum.variance += variance;
+            sum.squares += variance * variance / picture.freedom;
         }
     }
+    return sum;
+}
+
+BlockScore score_block(const PictureEstimate& a, const PictureEstimate& b, BlockScore block,
+                       const CompareOptions& options) {
+    BlockSum sum_a = sum_block(a, block);
+    const BlockSum sum_b = sum_block(b, block);
+    if (const double ratio = options.least_variance_ratio; sum_a.variance < ratio * sum_b.variance) {
+        sum_a.variance = ratio * sum_b.variance;
+        sum_a.squares = ratio * ratio * sum_b.squares;
+    }
+    const double variance = sum_a.variance + sum_b.variance;
     const double pixels = double(block.width) * block.height;
-    block.mean_a = sum_a / pixels;
-    block.mean_b = sum_b / pixels;
+    block.mean_a = sum_a.mean / pixels;
+    block.mean_b = sum_b.mean / pixels;
     block.sigma = std::sqrt(variance) / pixels;
     const double tolerance =
         std::max(options.absolute_tolerance,
@@ -65,7 +81,7 @@ BlockScore score_block(const PictureEstimate& a, const PictureEstimate& b, Block
     } else if (block.sigma == 0) {
         block.z = excess == 0 ? 0 : std::copysign(infinity, excess);
     } else {
-        block.z = normal_score(excess / block.sigma, variance * variance / squared_variances);
+        block.z = normal_score(excess / block.sigma, variance * variance / (sum_a.squares + sum_b.squares));
     }
     return block;
 }

@@ -26,6 +26,10 @@ struct CompareOptions {
     double alpha = 1e-4;               ///< probability that equal pictures are called different
     double relative_tolerance = 1e-5;  ///< differences of block means up to this (of the larger) count as rounding
     double absolute_tolerance = 1e-7;  ///< the same, absolute
+    /// `a` counts in each block as at least this many times as noisy (in variance) as `b`; 0 = as noisy as it says.
+    /// For `b` of the same scene with that many times `a`'s samples: where rare bright samples make the picture, a's
+    /// few may not include one, so a's own variance is 0 and b knows better what it should be.
+    double least_variance_ratio = 0;
 };
 
 struct BlockScore {

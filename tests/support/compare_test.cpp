@@ -83,6 +83,33 @@ TEST(ComparePictures, FewFireflyPixelsPass) {
     EXPECT_EQ(alarms, 0);
 }
 
+/// Each pixel is hit by 0.02 bright samples on average (a Poisson number) in every replicate.
+PictureEstimate rarely_bright(std::mt19937_64& random, int replicates) {
+    std::poisson_distribution<int> hits(0.02);
+    std::vector<Image> images;
+    for (int i = 0; i < replicates; ++i) {
+        Image image(width, height, 3);
+        for (float& value : image.data) value = 0.5f + 20 * float(hits(random));
+        images.push_back(image);
+    }
+    return estimate_from_replicates(images);
+}
+
+// In blocks of 16 pixels, 8 replicates meet 2.56 of them: none at all in many a block.
+TEST(ComparePictures, RareBrightSamplesPassWithTheVarianceOfTheBetterPicture) {
+    std::mt19937_64 random(5);
+    const PictureEstimate better = rarely_bright(random, 256);
+    CompareOptions options;
+    EXPECT_FALSE(compare_pictures(rarely_bright(random, 8), better, options).same) << "no need for the option";
+    options.least_variance_ratio = 256.0 / 8;
+    int alarms = 0;
+    for (int i = 0; i < 50; ++i) alarms += !compare_pictures(rarely_bright(random, 8), better, options).same;
+    EXPECT_EQ(alarms, 0);
+    PictureEstimate darker = rarely_bright(random, 8);
+    for (Rgb& color : darker.mean) color *= 0.9;
+    EXPECT_FALSE(compare_pictures(darker, better, options).same);
+}
+
 int times_caught(double light, double lobe, double shift) {
     std::mt19937_64 random(4);
     int caught = 0;

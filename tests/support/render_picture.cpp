@@ -13,16 +13,16 @@ RenderResult render_scene(const SceneDesc& scene, const PlanOptions& plan, const
     return render(compile(scene, plan), options);
 }
 
-PictureEstimate estimate_scene(const SceneDesc& scene, const PlanOptions& plan, int spp) {
+PictureEstimate estimate_scene(const SceneDesc& scene, const PlanOptions& plan, int spp, int seeds) {
     if (spp % 2 != 0) throw std::invalid_argument("replicates of equal weight need an even number of samples");
-    constexpr std::uint32_t seeds = 4;
+    const RenderPlan compiled = compile(scene, plan);  // once: it reads the textures and builds the trees
     RenderOptions options;
     options.spp = spp;
-    SceneDesc seeded = scene;
     std::vector<Image> replicates;
-    for (std::uint32_t i = 0; i < seeds; ++i) {
-        seeded.render.seed = scene.render.seed + i;
-        const RenderResult result = render_scene(seeded, plan, options);
+    for (int i = 0; i < seeds; ++i) {
+        std::visit([&](const auto& world) { world->sampling.seed = scene.render.seed + std::uint32_t(i); },
+                   compiled.world);
+        const RenderResult result = render(compiled, options);
         for (const int replicate : {0, 1}) replicates.push_back(resolve(result.film, replicate));
     }
     return estimate_from_replicates(replicates);
