@@ -1,7 +1,7 @@
 // Everything that can be wrong in a legacy file: what is said, and where.
 #include <gtest/gtest.h>
 
-#include <ctime>
+#include <chrono>
 #include <random>
 
 #include "formats/legacy_fixture.h"
@@ -209,11 +209,10 @@ TEST(LegacyHostile, MissingFilesAndFoldersAreAssetErrors) {
     }
 }
 
-/// Of this process alone, however busy the machine is.
 double seconds_of(const std::string& text) {
-    const std::clock_t start = std::clock();
+    const auto start = std::chrono::steady_clock::now();
     EXPECT_FALSE(errors_of(text).empty());
-    return double(std::clock() - start) / CLOCKS_PER_SEC;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::string repeated(const std::string& what, size_t bytes) {
