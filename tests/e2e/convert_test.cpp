@@ -52,6 +52,14 @@ TEST(Convert, TellsDefaultsAndAssumptionsOnStderrAndInTheFile) {
     EXPECT_EQ(yaml.find('#'), 0u);
 }
 
+/// What the format leaves open and drt's own defaults happen to equal is written all the same (model.md section 6).
+TEST(Convert, AssumedGravityAndDensityAreInTheFile) {
+    const ProcessResult r = convert({example, "-o", "-"});
+    EXPECT_EQ(r.exit_code, 0);
+    EXPECT_NE(r.out.find("\ngravity: [0, -9.81, 0]\n"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("\n      density: 1\n"), std::string::npos) << r.out;
+}
+
 TEST(Convert, MissingTextureIsOnlyAWarning) {
     const ProcessResult r = convert({example, "-o", "-"});
     EXPECT_EQ(r.exit_code, 0);

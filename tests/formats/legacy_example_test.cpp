@@ -104,6 +104,7 @@ TEST(LegacyExample, TellsEveryDefaultAndAssumption) {
          {":16:1: note: default used: phong_info diffuse_refraction = 0 (BallRed, BilliardTable)",
           "warning: the scene has no lights", "assumed: angle of view = 2 atan(FOV / 2)", "assumed: gravity 0 -9.81 0",
           "assumed: density 1", "assumed: impulse = force * 0.05 s", "assumed: ambient light 0.12", "spp = 576",
+          "dropped: soft_shadow_samples", "dropped: diffuse_reflection_samples",
           "diffuse_refraction_samples is 0: refractions are sharp", "boxes with use_physics stay"})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\nnot in\n" << text;
 }

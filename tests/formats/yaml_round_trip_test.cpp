@@ -26,7 +26,7 @@ SceneDesc read_back(const SceneDesc& scene) {
 TEST(YamlRoundTrip, SmallestScene) {
     SceneDesc scene;
     scene.cameras.resize(1);
-    EXPECT_EQ(write_yaml_scene(scene, ""), "drt: 1\n\ncameras:\n  - {}\n");
+    EXPECT_EQ(write_yaml_scene(scene, ""), "drt: 1\ngravity: [0, -9.81, 0]\n\ncameras:\n  - {}\n");
     EXPECT_EQ(read_back(scene), scene);
 }
 
@@ -60,6 +60,7 @@ TEST(YamlRoundTrip, LooksAsAPersonWouldWriteIt) {
               "    kind: gaussian\n"
               "    radius: 2\n"
               "ambient_light: 0.12\n"
+              "gravity: [0, -9.81, 0]\n"
               "\n"
               "materials:\n"
               "  - name: \"red paint\"\n"

@@ -10,6 +10,8 @@
 #include <random>
 
 #include "drt/light/light_sample.h"
+#include "drt/sampling/sampler.h"
+#include "sampling/statistics.h"
 
 namespace drt {
 namespace {
@@ -281,6 +283,49 @@ TYPED_TEST(Lights, ALaneSeesThePickedLight) {
     }
     vary(points), vary(rects), vary(spheres);
     expect_picked(points), expect_picked(rects), expect_picked(spheres);
+}
+
+// ---- the densities of the samples ----------------------------------------------------------------------------------
+
+template <class Real>
+Vec2<Real> random_point(std::uint32_t i) {
+    const Vec2<float> u = sample_2d<float>(SamplerKind::independent, {99u, i}, 2);
+    return {Real(u.x), Real(u.y)};
+}
+
+const double chi2_level = test::sidak(0.01, 10);
+
+TYPED_TEST(Lights, RectanglesAreSampledUniformly) {
+    using V = Vec3<TypeParam>;
+    const auto l = rect<TypeParam>({-1, 0.3, 3}, {1, 0.5, 0.4}, {0.2, -1.5, 0.1});
+    const V p{1, 2, 0}, across_x = cross(l.edge_y, l.normal), across_y = cross(l.edge_x, l.normal);
+    EXPECT_GT(test::uniformity([&](std::uint32_t i) {
+                  const LightSample<TypeParam> s = sample_light(l, p, random_point<TypeParam>(i));
+                  const V q = p + s.wi * s.distance - l.corner;
+                  return Vec2d{double(dot(q, across_x) / dot(l.edge_x, across_x)),
+                               double(dot(q, across_y) / dot(l.edge_y, across_y))};
+              }),
+              chi2_level);
+}
+
+TYPED_TEST(Lights, SpheresAreSampledUniformlyInSolidAngle) {
+    const auto l = bulb<TypeParam>({0, 0, 5}, 3);
+    const double cap = 1 - std::sqrt(1 - 9.0 / 25);
+    EXPECT_GT(test::uniformity([&](std::uint32_t i) {
+                  const Vec3d wi(sample_light(l, {}, random_point<TypeParam>(i)).wi);
+                  return Vec2d{(1 - wi.z) / cap, test::turn_of(wi.y, wi.x)};
+              }),
+              chi2_level);
+}
+
+TYPED_TEST(Lights, LegacyBulbsAreSampledUniformlyInRadius) {
+    const auto l = bulb<TypeParam>({0, 0, 5}, 3, true);
+    EXPECT_GT(test::uniformity([&](std::uint32_t i) {
+                  const auto s = sample_light(l, {}, random_point<TypeParam>(i));
+                  const Vec3d q(s.wi * s.distance);
+                  return Vec2d{std::sqrt(q.x * q.x + q.y * q.y) / 3, test::turn_of(q.y, q.x)};
+              }),
+              chi2_level);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "drt/base/diagnostic.h"
+#include "drt/base/task_order.h"
 
 namespace drt {
 
@@ -407,9 +408,12 @@ struct Accel<Real>::Impl {
 
 namespace {
 
-// Bounds rounded outward to float. The margin is for rays whose float copy, which walks the BVH, passes beside the true
-// one: by 2.4e-7 of the length travelled from far away (so a body is exact seen from 10^4 times its size, all that
-// float scenes have), and by the rounding of coordinates from close by.
+// Bounds rounded outward to float. No ray may lose a body whose bounds it touches, and only the margin sees to that:
+// Embree walks user geometry with its fast, not its robust, box test, whatever the scene's flags say (3.13 and 4: the
+// BVH*Virtual* intersectors are made with robust = false). That test, too, errs by a few roundings of float only. The
+// margin is for rays whose float copy, which walks the BVH, passes beside the true one: by 2.4e-7 of the length
+// travelled from far away (so a body is exact seen from 10^4 times its size, all that float scenes have), and by the
+// rounding of coordinates from close by.
 float round_down(double v) { return std::nextafter(float(v), -std::numeric_limits<float>::infinity()); }
 float round_up(double v) { return std::nextafter(float(v), std::numeric_limits<float>::infinity()); }
 
@@ -427,6 +431,7 @@ RTCBounds to_embree(const Bounds& b) {
 
 template <class Real>
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
+    const task_order::Task order;
     const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
     const auto all = body_bounds(*g.table, g.group, g.group.first + int(args->primID));
     *args->bounds_o = to_embree(all[std::min(size_t(args->timeStep), all.size() - 1)]);
@@ -477,9 +482,11 @@ void Accel<Real>::Impl::build() {
         },
         &bytes);
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // others leak between primitives (docs/geometry.md)
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // without effect on user geometry: see to_embree
     for (const BodyGroup& g : table->groups) add_group(g);
+    task_order::before_loop();
     rtcCommitScene(scene);
+    task_order::after_loop();
     check();
     empty = false;
 }

@@ -24,8 +24,16 @@ void map_sample_count(LegacyMapping& m, const LegacyElement& e) {
     m.mark("render.spp", e.place);
     m.report.note(e.place, "spp = " + std::to_string(m.scene.render.spp) +
                                ", the product of blur_samples, dof_samples and interpolate_samples squared" +
-                               (wanted > largest_spp ? ", cut down to the largest sensible number" : "") +
-                               "; the other sample counts only matter where they are 0");
+                               (wanted > largest_spp ? ", cut down to the largest sensible number" : ""));
+}
+
+/// Samples nested in each path's: every path of drt takes one, and the picture converges to the same (model.md 3).
+void note_dropped_counts(LegacyMapping& m, const LegacyElement& e) {
+    for (const char* attribute : {"soft_shadow_samples", "diffuse_reflection_samples", "diffuse_refraction_samples"})
+        if (const int count = e.whole(attribute); count > 1)
+            m.report.note(e.value(attribute).place,
+                          "dropped: " + std::string(attribute) + ' ' + std::to_string(count) +
+                              "; it said how many samples each path takes, drt takes one in each of its paths");
 }
 
 void note_effects_off(LegacyMapping& m, const LegacyElement& e) {
@@ -138,6 +146,7 @@ void map_legacy_settings(LegacyMapping& m) {
                                                           {"filter", "interpolate_samples"}};
     for (const auto& [field, attribute] : places) m.mark(std::string("render.") + field, e, attribute);
     map_sample_count(m, e);
+    note_dropped_counts(m, e);
     note_effects_off(m, e);
 }
 

@@ -134,8 +134,7 @@ void append_pair(const Writer& writer, Lines& out, const FieldInfo& info, const 
     }
 }
 
-// ---- entries of a table; what has its default is left out
-// ------------------------------------------------------------
+// ---- entries of a table; what has its default is left out ----------------------------------------------------------
 
 template <class T, class M>
 void append_entry(const Writer& writer, Lines& out, const T& object, const Field<T, M>& f) {

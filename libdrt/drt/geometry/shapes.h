@@ -60,7 +60,7 @@ namespace start {
 inline constexpr int none = -1;
 template <class I>
 [[gnu::always_inline]] inline I pack(const I& body, const I& part, const I& outward) {
-    return body * 16 + part * 2 + outward;
+    return (body << 4) | (part << 1) | outward;  // shifts: lanes without a hit hold anything, and products may overflow
 }
 template <class I>
 [[gnu::always_inline]] inline I body(const I& s) {

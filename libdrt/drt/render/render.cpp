@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 
+#include "drt/base/task_order.h"
 #include "drt/render/passes.h"
 #include "drt/render/tiles.h"
 
@@ -101,7 +102,8 @@ private:
     bool run_pass(int done, int size) {
         std::atomic<int> tiles_done{0};
         std::atomic<bool> cut_short{false};
-        tbb::parallel_for(size_t(0), tiles_.size(), [&](size_t i) {
+        const auto render_tile = [&](size_t i) {
+            const task_order::Task order;
             if (cut_short.load(std::memory_order_relaxed)) return;
             if (interrupted() || out_of_time(done)) {
                 cut_short = true;
@@ -109,7 +111,10 @@ private:
             }
             run_tile(tiles_[i], std::uint32_t(done), size);
             report(done + size * double(++tiles_done) / double(tiles_.size()));
-        });
+        };
+        task_order::before_loop();
+        tbb::parallel_for(size_t(0), tiles_.size(), render_tile);
+        task_order::after_loop();
         if (cut_short) stop(interrupted() ? StopReason::interrupted : StopReason::time_limit);
         return !cut_short;
     }

@@ -209,7 +209,7 @@ struct Fields<PhysicsDesc> {
     static constexpr auto table = std::tuple{
         field("kind", &PhysicsDesc::kind, "", ranges::any,
               "dynamic bodies fall and collide, fixed ones only stand in the way"),
-        field("density", &PhysicsDesc::density, "mass / length^3", ranges::positive, "density"),
+        stated(field("density", &PhysicsDesc::density, "mass / length^3", ranges::positive, "density")),
         field("impulses", &PhysicsDesc::impulses, "", ranges::any, "blows"),
     };
 };
@@ -425,7 +425,7 @@ struct Fields<SceneDesc> {
         field("ambient_light", &SceneDesc::ambient_light, "", ranges::not_negative,
               "light that is everywhere, scaled by the materials' ambient"),
         field("background", &SceneDesc::background, "radiance", ranges::not_negative, "where a ray hits nothing"),
-        field("gravity", &SceneDesc::gravity, "length / s^2", ranges::any, "for physics"),
+        stated(field("gravity", &SceneDesc::gravity, "length / s^2", ranges::any, "for physics")),
         field("textures", &SceneDesc::textures, "", ranges::any, "image files"),
         field("materials", &SceneDesc::materials, "", ranges::any, "materials"),
         field("bodies", &SceneDesc::bodies, "", ranges::any, "what there is to see"),
