@@ -3,6 +3,7 @@ option(DRT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(DRT_BUILD_BENCHMARKS "Build the benchmarks" OFF)
 option(DRT_WARNINGS_AS_ERRORS "Treat compiler warnings as errors (CI does)" OFF)
 option(DRT_CCACHE "Compile through ccache when it is installed" ON)
+option(DRT_BARE "Leave out lens, time, textures and scatter, only to measure that scenes without them pay nothing" OFF)
 set(DRT_ARCH native CACHE STRING
   "Instruction set: 'native' (tuned to this machine) or a -march value such as x86-64-v2 (portable), x86-64-v3, x86-64-v4")
 set(DRT_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize=, for example 'address,undefined' or 'thread'")
@@ -36,6 +37,9 @@ target_compile_features(drt_flags INTERFACE cxx_std_20)
 # their IEEE meaning (no -ffast-math, no -ffinite-math-only).
 # -Wno-psabi: vector types in signatures change the ABI between ISAs; all of drt is one ISA.
 target_compile_options(drt_flags INTERFACE -march=${DRT_ARCH} -fno-math-errno -fno-trapping-math -Wno-psabi)
+if(DRT_BARE)
+  target_compile_definitions(drt_flags INTERFACE DRT_BARE)
+endif()
 
 add_library(drt_build_flags INTERFACE)  # for our own sources only, never exported
 target_link_libraries(drt_build_flags INTERFACE drt_flags)
