@@ -289,7 +289,7 @@ TYPED_TEST(Lights, ALaneSeesThePickedLight) {
 
 template <class Real>
 Vec2<Real> random_point(std::uint32_t i) {
-    const Vec2<float> u = sample_2d<float>(SamplerKind::independent, {99u, i}, 2);
+    const Vec2<float> u = sample_2d(SamplerKind::independent, SampleSet<float>{99u, i}, 2);
     return {Real(u.x), Real(u.y)};
 }
 

@@ -22,7 +22,7 @@ using test::uniformity;
 
 const double level = test::sidak(0.01, 18);
 
-Vec2<float> random_point(std::uint32_t i) { return sample_2d<float>(SamplerKind::independent, {2024u, i}, 5); }
+Vec2<float> random_point(std::uint32_t i) { return sample_2d(SamplerKind::independent, SampleSet<float>{2024u, i}, 5); }
 
 /// The CDF of a density on [a, b], by the midpoint rule.
 class Cdf {

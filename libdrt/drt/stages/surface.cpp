@@ -14,9 +14,12 @@ void surface_stage(StageContext<Real>& c) {
     for (int i = 0; i < b.count; i += P::width) {
         const I body = load<I>(b.body.at(i));
         const auto hit = body >= I(0);
+        if (!any(hit)) {  // before the tables are read: a scene without bodies has none
+            store(I(-1), b.material.at(i));
+            continue;
+        }
         const I material = select(hit, gather_coherent<I>(w.body_material.data(), max(body, I(0))), I(-1));
         store(material, b.material.at(i));
-        if (!any(hit)) continue;
         const Vec3<R> d = load3<R>(b.d, i);
         const R t = load<R>(b.t.at(i));
         const Vec3<R> ng = normalize(load3<R>(b.ng, i));
