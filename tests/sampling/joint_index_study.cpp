@@ -1,5 +1,5 @@
 // How the matrices of drt/sampling/joint_index.h were found, what they gain, and what the sampler costs. Not a test:
-//   ninja -C build joint_index_study && build/tests/sampling/joint_index_study [gains | cost | search]
+//   ninja -C build/release joint_index_study && build/release/tests/sampling/joint_index_study [gains | cost | search]
 
 #include <algorithm>
 #include <bit>
