@@ -4,6 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+
 #include "render_programs.h"
 
 namespace drt {
@@ -27,6 +30,8 @@ std::string render_on(const Terminal& terminal, const std::vector<std::string>& 
         execv(argv[0], argv.data());
         _exit(127);
     }
+    *exit_code = -1;
+    if (pid < 0) return std::string("forkpty: ") + std::strerror(errno);
     std::string seen;
     char buffer[4096];
     ssize_t n = 0;
@@ -40,6 +45,14 @@ std::string render_on(const Terminal& terminal, const std::vector<std::string>& 
 
 class RenderTerminal : public testing::Test {
 protected:
+    void SetUp() override {
+        int screen = -1, program = -1;
+        if (openpty(&screen, &program, nullptr, nullptr, nullptr) != 0)
+            GTEST_SKIP() << "this system has no pseudo-terminals: " << std::strerror(errno);
+        close(screen);
+        close(program);
+    }
+
     std::string run(const Terminal& terminal, const std::vector<std::string>& options) {
         std::vector<std::string> all{scene_, "-t", "1", "-o", folder_.file("a.exr")};
         all.insert(all.end(), options.begin(), options.end());
