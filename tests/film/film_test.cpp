@@ -118,26 +118,36 @@ TEST(Film, BlocksAreTheirPixels) {
     struct Planted {
         float value;
         unsigned valid;
+        int count;  // samples of each pixel
     };
-    for (const Planted& planted : {Planted{0, 0xffff}, Planted{0, 0x0137}, Planted{1e9f, 0xffff}, Planted{nan, 0xffff},
-                                   Planted{-infinity, 0xffff}, Planted{sample_limit, 0xffff}}) {
-        std::array<std::array<float, block_pixels>, 4> rgba;
+    constexpr size_t stride = block_pixels + 3;
+    for (const Planted& planted :
+         {Planted{0, 0xffff, 1}, Planted{0, 0xffff, 3}, Planted{0, 0x0137, 2}, Planted{1e9f, 0xffff, 2},
+          Planted{nan, 0xffff, 2}, Planted{-infinity, 0xffff, 1}, Planted{sample_limit, 0xffff, 4}}) {
+        std::array<std::array<float, 4 * stride>, 4> rgba;
         for (auto& channel : rgba)
             for (float& v : channel) v = value(random);
-        if (planted.value != 0) rgba[2][6] = planted.value;
-        const BlockSamples block{{rgba[0].data(), rgba[1].data(), rgba[2].data(), rgba[3].data()}, planted.valid};
+        const size_t last = size_t(planted.count - 1) * stride;
+        if (planted.value != 0) rgba[2][last + 6] = planted.value;
+        const BlockSamples block{
+            {rgba[0].data(), rgba[1].data(), rgba[2].data(), rgba[3].data()}, stride, planted.count, planted.valid};
         Film whole(11, 9), single(11, 9);
         FilmCounters whole_counters, single_counters;
         add_block(whole, 3, 4, 4, block, whole_counters);
-        for (size_t i = 0; i < size_t(block_pixels); ++i) {  // in Morton order
-            const int x = 4 + int((i & 1) | (i >> 1 & 2)), y = 4 + int((i >> 1 & 1) | (i >> 2 & 2));
-            if (planted.valid >> i & 1)
-                add_sample(single, 3, x, y, {rgba[0][i], rgba[1][i], rgba[2][i], rgba[3][i]}, single_counters);
-        }
+        for (size_t k = 0; k < size_t(planted.count); ++k)
+            for (size_t i = 0; i < size_t(block_pixels); ++i) {  // in Morton order
+                const int x = 4 + int((i & 1) | (i >> 1 & 2)), y = 4 + int((i >> 1 & 1) | (i >> 2 & 2));
+                const size_t at = k * stride + i;
+                if (planted.valid >> i & 1)
+                    add_sample(single, std::uint32_t(3 + 2 * k), x, y,
+                               {rgba[0][at], rgba[1][at], rgba[2][at], rgba[3][at]}, single_counters);
+            }
         EXPECT_EQ(resolve(whole).data, resolve(single).data) << planted.value;
+        EXPECT_EQ(whole.blocks, single.blocks) << planted.value;
         EXPECT_EQ(whole_counters.clamped, single_counters.clamped);
         EXPECT_EQ(whole_counters.nonfinite, single_counters.nonfinite);
         EXPECT_EQ(whole_counters.first_nonfinite_x, single_counters.first_nonfinite_x);
+        EXPECT_EQ(whole_counters.first_nonfinite_sample, single_counters.first_nonfinite_sample);
     }
 }
 

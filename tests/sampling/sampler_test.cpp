@@ -195,6 +195,47 @@ TEST(Sobol, ConvergesMuchFasterThanRandom) {
     EXPECT_GT(gain(1024, 0.4, edge), 6);
 }
 
+/// The point of light `number` of a pixel's sample `index`.
+Vec2d light_point(std::uint32_t pixel, std::uint32_t index, int number) {
+    const std::uint32_t key = pixel_key(pixel, 5);
+    const auto samples = at_slot(SamplerKind::sobol, SampleSet<double>{key, index}, light);
+    return shifted_point(scrambled_digits(samples, light), key, dim(HitDim::light, 0, number));
+}
+
+TEST(Sobol, PointsOnAllLightsOfAHitAreNets) {
+    for (int k = 0; k <= 8; ++k)
+        for (int number = 0; number < 4; ++number)
+            for (int a = 0; a <= k; ++a) {
+                std::set<std::pair<int, int>> cells;
+                for (std::uint32_t i = 0; i < 1u << k; ++i) {
+                    const Vec2d p = light_point(9, i, number);
+                    cells.insert({int(p.x * (1 << a)), int(p.y * (1 << (k - a)))});
+                }
+                ASSERT_EQ(cells.size(), size_t(1) << k) << "k " << k << ", split " << a << ", light " << number;
+            }
+}
+
+TEST(Sobol, ErrorsOfTheLightsOfAHitAreUncorrelated) {
+    // 8 samples of two lights, over 2^15 pixels: smooth terms, an edge, and the same point of each (the worst case).
+    const auto smooth = [](Vec2d p) { return p.x * p.x + std::sin(3 * p.y); };
+    const auto edge = [](Vec2d p) { return p.x + 0.6 * p.y < 0.7 ? 1.0 : 0.0; };
+    const auto corner = [](Vec2d p) { return p.x < 0.1 && p.y < 0.3 ? 1.0 : 0.0; };
+    constexpr int pixels = 1 << 15;
+    for (const std::function<double(Vec2d)>& f : {std::function<double(Vec2d)>(smooth), {edge}, {corner}})
+        for (const int other : {1, 7}) {
+            Mean x, y, xx, yy, xy;
+            for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+                double a = 0, b = 0;
+                for (std::uint32_t i = 0; i < 8; ++i)
+                    a += f(light_point(pixel, i, 0)), b += f(light_point(pixel, i, other));
+                x.add(a), y.add(b), xx.add(a * a), yy.add(b * b), xy.add(a * b);
+            }
+            const double covariance = xy.mean() - x.mean() * y.mean();
+            const double variance = std::sqrt((xx.mean() - x.mean() * x.mean()) * (yy.mean() - y.mean() * y.mean()));
+            EXPECT_LT(std::abs(covariance / variance), 4 / std::sqrt(pixels));  // 6 cases: one false alarm in 2600
+        }
+}
+
 TEST(Sobol, JointDimensionsConvergeTogether) {
     // Lens against light at the first hit: neither an interaction nor an edge in 4D may converge as slowly as padded
     // dimensions do (0.8, 0.9 and 1.9 times as precise as random, at every spp).

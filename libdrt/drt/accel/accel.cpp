@@ -69,6 +69,17 @@ struct Rays {
     Rebind<T, int> start;
 };
 
+// A ray that leaves a convex body outward never meets it again, and most rays that a body's bounds let through are of
+// this kind: those towards the lights from the body that they light.
+template <ShapeKind kind, class Real>
+[[gnu::always_inline]] inline typename Pack<Real>::Mask may_hit(const Query<Real>& q, int body) {
+    using F = typename Pack<Real>::F;
+    using I = typename Pack<Real>::I;
+    if constexpr (kind != ShapeKind::sphere && kind != ShapeKind::box) return typename Pack<Real>::Mask(true);
+    const I start = q.rays->start;
+    return !mask_cast<F>(start >= I(0) && start::body(start) == I(body) && start::outward(start));
+}
+
 template <ShapeKind kind, bool moving, class T, class Real = ScalarOf<T>>
 [[gnu::always_inline]] inline ShapeHit<T> hit_body(const BodyTable<Real>& table, const BodyGroup& g, int body,
                                                    const Rays<T>& r) {
@@ -175,7 +186,9 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) {
     RTCRayN* ray = RTCRayHitN_RayN(args->rayhit, args->N);
     RTCHitN* hit = RTCRayHitN_HitN(args->rayhit, args->N);
     if (args->N == unsigned(P::width)) {
-        const auto took = nearest_in_lanes<kind, moving>(g, body, q, valid_lanes<Real>(args->valid));
+        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
+        if (!any(candidates)) return;
+        const auto took = nearest_in_lanes<kind, moving>(g, body, q, candidates);
         if (!any(took)) return;
         using F = typename P::F;
         using U = typename P::U;
@@ -215,7 +228,9 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) {
     constexpr float blocked = -std::numeric_limits<float>::infinity();
     if (args->N == unsigned(P::width)) {
         using F = typename P::F;
-        const auto hits = blocked_lanes<kind, moving>(g, body, q) && valid_lanes<Real>(args->valid);
+        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
+        if (!any(candidates)) return;
+        const auto hits = blocked_lanes<kind, moving>(g, body, q) && candidates;
         if (!any(hits)) return;
         float* tfar = &RTCRayN_tfar(args->ray, args->N, 0);
         store(select(hits, F(blocked), load<F>(tfar)), tfar);

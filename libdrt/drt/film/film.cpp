@@ -29,14 +29,15 @@ constexpr int x_in_block(int i) { return (i & 1) | (i >> 1 & 2); }
 constexpr int y_in_block(int i) { return (i >> 1 & 1) | (i >> 2 & 2); }
 static_assert(x_in_block(in_block(3, 1)) == 3 && y_in_block(in_block(3, 1)) == 1);
 
-// The value is exact in fixed point above 1 and rounded once below, to the nearest: adding 1.5 * 2^52 to a double
-// leaves the integer in its low bits, which needs no conversion to 64-bit integers (AVX2 has none). D is double or
-// lanes.
+// In fixed point a value is exact above 1 and rounded once below, to the nearest: adding 1.5 * 2^52 to a double leaves
+// the integer in its low bits, which needs no conversion to 64-bit integers (AVX2 has none). Here with the bits of the
+// 1.5 * 2^52 still on top of it. D is double or lanes.
+constexpr double magic = 6755399441055744.0;
+constexpr auto magic_bits = std::bit_cast<std::int64_t>(magic);
+
 template <class D>
-Rebind<D, std::int64_t> to_fixed(const D& v) {
-    using I = Rebind<D, std::int64_t>;
-    constexpr double magic = 6755399441055744.0;
-    return bits_as<I>(D(v * D(fixed_point_scale) + D(magic))) - I(std::bit_cast<std::int64_t>(magic));
+Rebind<D, std::int64_t> to_fixed_plus_magic(const D& v) {
+    return bits_as<Rebind<D, std::int64_t>>(D(v * D(fixed_point_scale) + D(magic)));
 }
 
 // In lanes by hand: the compiler would go one by one, by its measure of cost here and for fear of overlap below.
@@ -45,32 +46,41 @@ Rebind<D, std::int64_t> to_fixed(const D& v) {
 bool all_in_range(const BlockSamples& s) {
     using F = Lane<float, std::min(int(stdx::native_simd<float>::size()), block_pixels)>;
     MaskOf<F> good(true);
-    for (const float* v : s.rgba)
-        for (int i = 0; i < block_pixels; i += width_of<F>) good = good && abs(load<F>(v + i)) <= F(sample_limit);
+    for (const float* first : s.rgba)
+        for (int k = 0; k < s.count; ++k)
+            for (int i = 0; i < block_pixels; i += width_of<F>)
+                good = good && abs(load<F>(first + k * s.stride + i)) <= F(sample_limit);
     return all(good);
 }
 
-void add_values(std::int64_t* sum, const float* v) {
+// Every sample is rounded by itself, so that the sum does not depend on how many came at once.
+void add_values(std::int64_t* sum, const float* first, std::ptrdiff_t stride, int count) {
     constexpr int width = int(stdx::native_simd<double>::size());
     using D = Lane<double, width>;
     using I = Lane<std::int64_t, width>;
-    for (int i = 0; i < block_pixels; i += width)
-        store(I(load<I>(sum + i) + to_fixed(D(v + i, stdx::element_aligned))), sum + i);
+    for (int i = 0; i < block_pixels; i += width) {
+        I total = load<I>(sum + i) - I(count * magic_bits);
+        for (int k = 0; k < count; ++k) total += to_fixed_plus_magic(D(first + k * stride + i, stdx::element_aligned));
+        store(total, sum + i);
+    }
 }
 
 }  // namespace
 
-void add_block(Film& film, std::uint32_t sample, int x, int y, const BlockSamples& s, FilmCounters& counters) {
+void add_block(Film& film, std::uint32_t first, int x, int y, const BlockSamples& s, FilmCounters& counters) {
     if (s.valid != 0xffff || !all_in_range(s)) {
-        for (int i = 0; i < block_pixels; ++i)
-            if (s.valid >> i & 1u)
-                add_sample(film, sample, x + x_in_block(i), y + y_in_block(i),
-                           {s.rgba[0][i], s.rgba[1][i], s.rgba[2][i], s.rgba[3][i]}, counters);
+        for (int k = 0; k < s.count; ++k)
+            for (int i = 0; i < block_pixels; ++i) {
+                const std::ptrdiff_t at = k * s.stride + i;
+                if (s.valid >> i & 1u)
+                    add_sample(film, first + std::uint32_t(k * replicate_count), x + x_in_block(i), y + y_in_block(i),
+                               {s.rgba[0][at], s.rgba[1][at], s.rgba[2][at], s.rgba[3][at]}, counters);
+            }
         return;
     }
-    FilmBlock& block = film.blocks[size_t(replicate_of(sample))][block_index(film, x, y)];
-    for (size_t c = 0; c < 4; ++c) add_values(block.rgba[c].data(), s.rgba[c]);
-    for (std::uint32_t& n : block.samples) ++n;
+    FilmBlock& block = film.blocks[size_t(replicate_of(first))][block_index(film, x, y)];
+    for (size_t c = 0; c < 4; ++c) add_values(block.rgba[c].data(), s.rgba[c], s.stride, s.count);
+    for (std::uint32_t& n : block.samples) n += std::uint32_t(s.count);
 }
 
 namespace {
@@ -104,7 +114,7 @@ void add_sample(Film& film, std::uint32_t sample, int x, int y, const std::array
     if (value != rgba) ++counters.clamped;
     FilmBlock& block = film.blocks[size_t(replicate_of(sample))][block_index(film, x, y)];
     const size_t i = place_in_block(x, y);
-    for (size_t c = 0; c < 4; ++c) block.rgba[c][i] += to_fixed(double(value[c]));
+    for (size_t c = 0; c < 4; ++c) block.rgba[c][i] += to_fixed_plus_magic(double(value[c])) - magic_bits;
     ++block.samples[i];
 }
 

@@ -7,7 +7,7 @@
 // (the variance of samples inside one low-discrepancy set is not).
 
 #include <array>
-#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -57,15 +57,17 @@ struct Film {
 /// How many samples pixel (x, y) has in a replicate.
 std::uint32_t samples_at(const Film&, int replicate, int x, int y);
 
-/// One sample of each pixel of a block, in the block's order.
+/// Samples of all pixels of a block, in the block's order: each of one replicate, one after the other.
 struct BlockSamples {
-    std::array<const float*, 4> rgba;  ///< 16 values each
+    std::array<const float*, 4> rgba;  ///< 16 values each, of the first sample
+    std::ptrdiff_t stride = 0;         ///< to the values of the next sample
+    int count = 1;                     ///< samples of each pixel
     unsigned valid = 0xffff;           ///< bit i: pixel i is part of the picture
 };
 
-/// Adds sample number `sample` of all pixels of the block whose upper left pixel is (x, y), multiples of 4. Different
-/// threads may add to different blocks.
-void add_block(Film&, std::uint32_t sample, int x, int y, const BlockSamples&, FilmCounters&);
+/// Adds samples `first`, first + replicate_count, first + 2 replicate_count, ... of all pixels of the block whose upper
+/// left pixel is (x, y), multiples of 4. Different threads may add to different blocks.
+void add_block(Film&, std::uint32_t first, int x, int y, const BlockSamples&, FilmCounters&);
 
 /// Adds one sample of one pixel.
 void add_sample(Film&, std::uint32_t sample, int x, int y, const std::array<float, 4>& rgba, FilmCounters&);

@@ -47,11 +47,9 @@ template <class T>
     const T disc = r2 - dot(p, p);
     const T root = sqrt(max(disc, T(0)));
     // q has the larger magnitude; the other root follows from the product c = o.o - r^2 without cancellation
-    const T r(s.radius);
-    const T len = sqrt(dot(o, o));
-    const T c = (len - r) * (len + r);
+    const T c = dot(o, o) - r2;
     const T q = select(b > T(0), -b - root, -b + root);
-    const T other = select(q == T(0), T(0), c / q);
+    const T other = select(q == T(0), T(0), c * reciprocal(q));
     ConvexRoots<T> roots{min(q, other), max(q, other), disc >= T(0)};
     roots.t_out = select(rel.on, T(-2) * b, roots.t_out);  // c = 0 exactly on the surface
     roots.crosses = roots.crosses || rel.on;

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 
+#include "drt/base/flush_denormals.h"
 #include "drt/base/task_order.h"
 #include "drt/render/passes.h"
 #include "drt/render/tiles.h"
@@ -41,6 +42,17 @@ struct Worker {
     RenderCounters counters;
     StageTimes times;
 };
+
+// More samples of fewer pixels: what is the same for all samples of a pixel, most of the hashes, is done once, and so
+// is reading and writing the film. Fewer, and larger blocks of the picture: more coherent packets after a bounce.
+constexpr int most_samples_at_once = 8;
+
+BatchPixels batch_pixels(const TilePixels& tile, size_t first_block, size_t count) {
+    const std::span blocks = std::span(tile.blocks).subspan(first_block);
+    count = std::min(count, blocks.size());
+    const size_t first = first_block * block_pixels, pixels = count * block_pixels;
+    return {blocks.first(count), std::span(tile.x).subspan(first, pixels), std::span(tile.y).subspan(first, pixels)};
+}
 
 template <class Real>
 class FrameRenderer {
@@ -120,18 +132,22 @@ private:
     }
 
     void run_tile(const TilePixels& tile, std::uint32_t first, int samples) {
+        const FlushDenormals flush;
         Worker<Real>& w = workers_.local();
         StageContext<Real> c;
         c.world = &world_;
         c.film = &result_.film;
-        c.pixels = &tile;
         c.batch = w.batch.get();
         c.counters = &w.counters;
-        const int at_once = samples_per_batch(tile.count());
-        for (int s = 0; s < samples; s += at_once) {
-            c.first_sample = first + std::uint32_t(s);
-            c.samples = std::min(at_once, samples - s);
-            drt::run(pipeline_, c, w.times);
+        const int at_once = std::min(samples, most_samples_at_once);
+        const size_t blocks_at_once = size_t(batch_capacity / (block_pixels * at_once));
+        for (size_t first_block = 0; first_block < tile.blocks.size(); first_block += blocks_at_once) {
+            c.pixels = batch_pixels(tile, first_block, blocks_at_once);
+            for (int s = 0; s < samples; s += at_once) {
+                c.first_sample = first + std::uint32_t(s);
+                c.samples = std::min(at_once, samples - s);
+                drt::run(pipeline_, c, w.times);
+            }
         }
     }
 

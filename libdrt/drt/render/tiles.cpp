@@ -1,7 +1,5 @@
 #include "drt/render/tiles.h"
 
-#include <bit>
-
 namespace drt {
 
 namespace {
@@ -27,7 +25,6 @@ TilePixels make_tile(int x0, int y0, int width, int height, int size) {
         const int x = x0 + block_side * even_bits(m), y = y0 + block_side * even_bits(m >> 1);
         if (x >= width || y >= height) continue;
         t.blocks.push_back(make_block(x, y, width, height));
-        t.valid_count += std::popcount(t.blocks.back().valid);
         for (unsigned i = 0; i < unsigned(block_pixels); ++i) {
             t.x.push_back(x + even_bits(i));
             t.y.push_back(y + even_bits(i >> 1));

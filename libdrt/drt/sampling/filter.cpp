@@ -48,10 +48,11 @@ void tabulate(FilterTable& filter) {
         piece.start = float(start);
         piece.direction = end > start ? 1.0f : -1.0f;
         piece.sign = filter_value(filter.spec, start) < 0 ? -1.0f : 1.0f;
-        masses.push_back(append_inverse_cdf(
-            filter.inverse,
+        const TailMass tail = tail_mass(
             [&, start = start](double x) { return std::abs(filter_value(filter.spec, start + piece.direction * x)); },
-            std::abs(end - start)));
+            std::abs(end - start));
+        piece.quantiles = octave_quantiles(tail);
+        masses.push_back(tail.total());
         absolute += masses.back();
         net += masses.back() * piece.sign;
         filter.pieces.push_back(piece);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drt/base/vec.h"
-#include "drt/sampling/inverse_cdf.h"
+#include "drt/sampling/octave_quantiles.h"
 
 namespace drt {
 
@@ -24,16 +24,16 @@ double filter_value(const FilterSpec&, double x);
 
 /// A part of the filter's half line where |f| is positive inside, sampled away from its higher end.
 struct FilterPiece {
-    float start = 0, direction = 1;  ///< x = start + direction * inverse_cdf(v)
+    float start = 0, direction = 1;  ///< x = start + direction * quantile(v)
     float v0 = 1, v1 = -1;           ///< v = v0 + v1 * a, a in [0, 1) the fraction of |f| nearer to the centre
     float from = 0;                  ///< the a from which on this piece holds
     float sign = 1;                  ///< of f
+    OctaveQuantiles quantiles;
 };
 
 struct FilterTable {
     FilterSpec spec;
-    InverseCdfs inverse;              ///< one table a piece; none for point, box, triangle
-    std::vector<FilterPiece> pieces;  ///< by rising `from`
+    std::vector<FilterPiece> pieces;  ///< by rising `from`; none for point, box, triangle
     double integral = 1;              ///< of f along an axis
     double absolute_integral = 1;     ///< of |f|
     float weight = 1;                 ///< of a sample along an axis, without its sign: the ratio of the two
@@ -56,28 +56,25 @@ struct AxisSample {
 
 template <class T>
 [[gnu::always_inline]] inline AxisSample<T> sample_pieces(const FilterTable& filter, const T& a) {
-    using I = Rebind<T, std::int32_t>;
-    const auto constant = [](float v) { return T(ScalarOf<T>(v)); };
-    const FilterPiece& first = filter.pieces[0];
-    T start = constant(first.start), direction = constant(first.direction), sign = constant(first.sign);
-    T v = constant(first.v0) + constant(first.v1) * a;
-    I table(0);
-    for (size_t i = 1; i < filter.pieces.size(); ++i) {
+    AxisSample<T> sample;
+    for (size_t i = 0; i < filter.pieces.size(); ++i) {
         const FilterPiece& p = filter.pieces[i];
-        const auto here = a >= constant(p.from);
-        start = select(here, constant(p.start), start);
-        direction = select(here, constant(p.direction), direction);
-        sign = select(here, constant(p.sign), sign);
-        v = select(here, T(constant(p.v0) + constant(p.v1) * a), v);
-        table = select(mask_cast<I>(here), I(std::int32_t(i)), table);
+        const T x = T(p.start) + T(p.direction) * quantile(p.quantiles, mul_add(T(p.v1), a, T(p.v0)));
+        const T weight(p.sign * filter.weight);
+        if (i == 0) {
+            sample = {x, weight};
+            continue;
+        }
+        const auto here = a >= T(p.from);
+        sample = {select(here, x, sample.offset), select(here, weight, sample.weight)};
     }
-    return {start + direction * inverse_cdf(filter.inverse, table, v), sign * T(ScalarOf<T>(filter.weight))};
+    return sample;
 }
 
 template <class T>
 [[gnu::always_inline]] inline AxisSample<T> sample_axis(const FilterTable& filter, const T& u) {
     using std::sqrt;
-    const T radius = T(ScalarOf<T>(filter.spec.radius));
+    const T radius = T(float(filter.spec.radius));
     const T s = T(2) * u - T(1);
     if (filter.spec.kind == FilterKind::point) return {T(0), T(1)};
     if (filter.spec.kind == FilterKind::box) return {radius * s, T(1)};
@@ -92,7 +89,7 @@ template <class T>
 
 }  // namespace filter_detail
 
-/// u in [0, 1)^2.
+/// u in [0, 1)^2; T is float or its lanes.
 template <class T>
 [[gnu::always_inline]] inline FilterSample<T> sample_filter(const FilterTable& filter, const Vec2<T>& u) {
     const auto x = filter_detail::sample_axis(filter, u.x), y = filter_detail::sample_axis(filter, u.y);

@@ -46,9 +46,15 @@ void emit_stage(StageContext<Real>& c) {
         Color3<F> light = select(hit, Color3<F>(F(0)), background);
         light = select(shaded, ambient, light);
         if (w.features.visible_lights) light += emitted(w, b, i);
-        add_radiance(b, i, live, load_color<F>(b.throughput, i) * light);
-        // Coverage: the filter's weight goes with it, so that its mean is the filtered coverage.
-        if (b.bounce == 0) store(select(hit, load<F>(b.throughput.x.at(i)), F(0)), b.alpha.at(i));
+        const Color3<F> throughput = load_color<F>(b.throughput, i);
+        if (b.bounce > 0) {
+            add_radiance(b, i, live, throughput * light);
+            continue;
+        }
+        // A path's first light starts its sum. Coverage: the filter's weight goes with it, so that its mean is the
+        // filtered coverage.
+        store_color(select(live, throughput * light, Color3<F>(F(0))), b.radiance, i);
+        store(select(hit, throughput.r, F(0)), b.alpha.at(i));
     }
 }
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <bit>
+
 #include "drt/sampling/shutter.h"
 #include "drt/stages/stages.h"
 
@@ -8,53 +11,50 @@ namespace drt {
 
 namespace {
 
-// Names each path's sample set. `hit_index` holds the index as shuffled for the first group of dimensions until the
-// last loop, so that the shuffle is done once.
-template <class Real>
-void name_samples(const StageContext<Real>& c) {
+// Names the sample sets of packet i's pixels and draws the points of the unit square for their pixel filter, into p.x
+// and p.y, which nobody needs yet: samples `first`, first + replicate_count, ..., all of one replicate, so that the
+// hashes that make its key and scrambles are the same for all of them. `hit_index` holds the index as shuffled for the
+// first group of dimensions until the last loop, so that the shuffle is done once.
+template <SamplerKind kind, class Real>
+[[gnu::always_inline]] inline void name_samples(const StageContext<Real>& c, int i, int first) {
     using P = Pack<Real>;
+    using R = typename P::R;
     using F = typename P::F;
     using I = typename P::I;
     using U = typename P::U;
     const SamplePlan& plan = c.world->sampling;
     RayBatch<Real>& b = *c.batch;
-    const I width(c.world->camera.film.width), height(c.world->camera.film.height);
-    int slot = 0;
-    for (int s = 0; s < c.samples; ++s) {
-        const std::uint32_t sample = c.first_sample + std::uint32_t(s);
-        for (int i = 0; i < c.pixels->count(); i += P::width, slot += P::width) {
-            const I x = load<I>(&c.pixels->x[size_t(i)]), y = load<I>(&c.pixels->y[size_t(i)]);
-            const SampleSet<F> set{sample_key<U>(plan.seed, plan.frame, std::uint32_t(replicate_of(sample)),
-                                                 num_cast<U>(x), num_cast<U>(y)),
-                                   U(index_in_replicate(sample))};
-            store(select(x < width && y < height, iota<I>() + slot, I(-1)), b.slot.at(slot));
-            store(set.key, b.key.at(slot));
-            store(set.index, b.index.at(slot));
-            store(in_group(plan.kind, set, dim(PathDim::filter)).index, b.hit_index.at(slot));
-        }
+    constexpr DimId dimension = dim(PathDim::filter);
+    const I x = load<I>(&c.pixels.x[size_t(i)]), y = load<I>(&c.pixels.y[size_t(i)]);
+    const auto inside = x < I(c.world->camera.film.width) && y < I(c.world->camera.film.height);
+    const U key =
+        sample_key<U>(plan.seed, plan.frame, std::uint32_t(replicate_of(c.first_sample + std::uint32_t(first))),
+                      num_cast<U>(x), num_cast<U>(y));
+    for (int s = first; s < c.samples; s += replicate_count) {
+        const int slot = s * c.pixels.count() + i;
+        const U index(index_in_replicate(c.first_sample + std::uint32_t(s)));
+        const GroupSamples<F> samples = in_group(kind, SampleSet<F>{key, index}, dimension);
+        store(select(inside, iota<I>() + slot, I(-1)), b.slot.at(slot));
+        store(key, b.key.at(slot));
+        store(index, b.index.at(slot));
+        store(samples.index, b.hit_index.at(slot));
+        if (!c.world->features.pixel_filter) continue;
+        const Vec2<F> u = sample_2d(kind, at_slot(kind, samples, dimension), dimension);
+        store(num_cast<R>(u.x), b.p.x.at(slot));
+        store(num_cast<R>(u.y), b.p.y.at(slot));
     }
-    b.count = slot;
+}
+
+template <SamplerKind kind, class Real>
+void name_all_samples(const StageContext<Real>& c) {
+    for (int i = 0; i < c.pixels.count(); i += Pack<Real>::width)
+        for (int first = 0; first < std::min(replicate_count, c.samples); ++first) name_samples<kind>(c, i, first);
 }
 
 template <class Real>
 GroupSamples<typename Pack<Real>::F> path_samples(const RayBatch<Real>& b, int i) {
     using U = typename Pack<Real>::U;
     return {load<U>(b.key.at(i)), load<U>(b.hit_index.at(i))};
-}
-
-// Points of the unit square for the pixel filter: into p.x and p.y, which nobody needs yet.
-template <class Real>
-void sample_filter_points(const StageContext<Real>& c) {
-    using R = typename Pack<Real>::R;
-    using F = typename Pack<Real>::F;
-    RayBatch<Real>& b = *c.batch;
-    const SamplerKind kind = c.world->sampling.kind;
-    constexpr DimId dimension = dim(PathDim::filter);
-    for (int i = 0; i < b.count; i += Pack<Real>::width) {
-        const Vec2<F> u = sample_2d(kind, at_slot(kind, path_samples(b, i), dimension), dimension);
-        store(num_cast<R>(u.x), b.p.x.at(i));
-        store(num_cast<R>(u.y), b.p.y.at(i));
-    }
 }
 
 // Where on the film, in pixels: into p.x and p.y again. The filter's weight starts the throughput.
@@ -68,9 +68,9 @@ void place_on_film(const StageContext<Real>& c) {
     RayBatch<Real>& b = *c.batch;
     int pixel = 0;
     for (int i = 0; i < b.count; i += P::width, pixel += P::width) {
-        if (pixel == c.pixels->count()) pixel = 0;
-        R x = num_cast<R>(load<I>(&c.pixels->x[size_t(pixel)])) + R(Real(0.5));
-        R y = num_cast<R>(load<I>(&c.pixels->y[size_t(pixel)])) + R(Real(0.5));
+        if (pixel == c.pixels.count()) pixel = 0;
+        R x = num_cast<R>(load<I>(&c.pixels.x[size_t(pixel)])) + R(Real(0.5));
+        R y = num_cast<R>(load<I>(&c.pixels.y[size_t(pixel)])) + R(Real(0.5));
         F weight(1);
         if (w.features.pixel_filter) {
             const Vec2<F> u{num_cast<F>(load<R>(b.p.x.at(i))), num_cast<F>(load<R>(b.p.y.at(i)))};
@@ -120,13 +120,11 @@ void aim_rays(const StageContext<Real>& c) {
         const CameraRay<R> ray = make_ray(w, view, {load<R>(b.p.x.at(i)), load<R>(b.p.y.at(i))}, samples);
         store3(ray.o, b.o, i);
         store3(ray.d, b.d, i);
-        store(time, b.time.at(i));
+        if (w.features.time) store(time, b.time.at(i));  // else 0, as the batch was made
         store(I(start::none), b.start.at(i));
         store(at_slot(w.sampling.kind, samples, hit_dim(0)).index, b.hit_index.at(i));
         store(F(0), b.footprint.at(i));
         store(spread, b.spread.at(i));
-        store_color(Color3<F>(F(0)), b.radiance, i);
-        store(F(0), b.alpha.at(i));
     }
 }
 
@@ -135,13 +133,18 @@ void aim_rays(const StageContext<Real>& c) {
 template <class Real>
 void generate_stage(StageContext<Real>& c) {
     RayBatch<Real>& b = *c.batch;
-    name_samples(c);
-    if (c.world->features.pixel_filter) sample_filter_points(c);
+    // The kind is a constant within the loops: the compiler moves a hash out of a loop, but not a branch around it.
+    if (c.world->sampling.kind == SamplerKind::sobol)
+        name_all_samples<SamplerKind::sobol>(c);
+    else
+        name_all_samples<SamplerKind::independent>(c);
+    b.count = c.samples * c.pixels.count();
     place_on_film(c);
     aim_rays(c);
     b.bounce = 0;
     std::fill(b.media_count.begin(), b.media_count.end(), 0);
-    c.counters->camera_rays += std::uint64_t(c.pixels->valid_count) * std::uint64_t(c.samples);
+    for (const TileBlock& block : c.pixels.blocks)
+        c.counters->camera_rays += std::uint64_t(std::popcount(block.valid)) * std::uint64_t(c.samples);
 }
 
 template void generate_stage(StageContext<float>&);

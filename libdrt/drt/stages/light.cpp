@@ -5,93 +5,89 @@
 
 namespace drt {
 
-// Light by light (or choice by choice), each in three loops over the batch: draw the sample points, sample the light
-// and shade, ask for visibility. What is done for one packet is a chain in which every step waits for the one before;
+// Light by light (or choice by choice), each in three loops over the batch: sample the light, shade, ask for
+// visibility. What is done for one packet is a chain in which every step waits for the one before;
 // in short loops the machine overlaps several packets, and across a query it overlaps none.
 
 namespace {
 
-// What a light sample needs of a packet of surface points.
+// What the points on all lights of a hit have in common.
 template <class Real>
-struct Shading {
+void draw_light_digits(StageContext<Real>& c) {
     using P = Pack<Real>;
-    Vec3<typename P::R> p, n;
-    Vec3<typename P::F> nf, wo;
-    PhongParameters<typename P::F> phong;
-    typename P::Mask active;
-    bool shiny = false;  // some lane has highlights
-};
+    using F = typename P::F;
+    using U = typename P::U;
+    RayBatch<Real>& b = *c.batch;
+    if (c.world->sampling.kind == SamplerKind::independent) return;
+    for (int i = 0; i < b.count; i += P::width) {
+        const SlotSamples<F> samples{load<U>(b.key.at(i)), load<U>(b.hit_index.at(i))};
+        const PointDigits<F> p = scrambled_digits(samples, hit_dim(b.bounce));
+        store(p.x, b.shadow.digits_x.at(i));
+        store(p.y, b.shadow.digits_y.at(i));
+    }
+}
 
+// A point of the unit square for a light.
 template <class Real>
-[[gnu::always_inline]] inline Shading<Real> load_shading(const World<Real>& w, const RayBatch<Real>& b, int i) {
+[[gnu::always_inline]] inline Vec2<typename Pack<Real>::R> light_point(const StageContext<Real>& c, int i,
+                                                                       DimId dimension) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    using U = typename Pack<Real>::U;
+    const RayBatch<Real>& b = *c.batch;
+    const U key = load<U>(b.key.at(i));
+    const Vec2<F> u =
+        c.world->sampling.kind == SamplerKind::independent
+            ? sample_2d(SamplerKind::independent, SlotSamples<F>{key, load<U>(b.hit_index.at(i))}, dimension)
+            : shifted_point(PointDigits<F>{load<U>(b.shadow.digits_x.at(i)), load<U>(b.shadow.digits_y.at(i))}, key,
+                            dimension);
+    return {num_cast<R>(u.x), num_cast<R>(u.y)};
+}
+
+// One sample of a light (each lane may have a light of its own) for packet i: into the batch's shadow rays, with the
+// light that arrives.
+template <class Real, class Light>
+[[gnu::always_inline]] inline void sample_packet(RayBatch<Real>& b, int i, const Light& light,
+                                                 const Vec2<typename Pack<Real>::R>& u,
+                                                 const typename Pack<Real>::F& weight) {
     using P = Pack<Real>;
     using R = typename P::R;
     using F = typename P::F;
     using I = typename P::I;
-    const I material = load<I>(b.material.at(i));
-    const I safe = max(material, I(0));
-    Shading<Real> s;
-    s.p = load3<R>(b.p, i);
-    s.n = load3<R>(b.n, i);
-    s.nf = Vec3<F>(s.n);
-    s.wo = -Vec3<F>(load3<R>(b.d, i));
-    s.phong.diffuse = load_color<F>(b.albedo, i);
-    if (w.features.specular) {
-        s.phong.specular = gather_color<F>(w.materials.specular, safe);
-        s.phong.shininess = gather_coherent<F>(w.materials.shininess.data(), safe);
-        s.shiny = any(max_component(s.phong.specular) > F(0));
-    }
-    s.active = mask_cast<F>(material >= I(0));
-    return s;
-}
-
-// Phong's terms for one light sample; zero where the light is behind the surface.
-template <class Real>
-[[gnu::always_inline]] inline Color3<typename Pack<Real>::F> shade(const Shading<Real>& s,
-                                                                   const Vec3<typename Pack<Real>::F>& wi) {
-    using F = typename Pack<Real>::F;
-    const F cosine = dot(s.nf, wi);
-    Color3<F> f = phong_diffuse(s.phong, cosine);
-    if (s.shiny) f += phong_specular(s.phong, s.nf, wi, s.wo, cosine);
-    return f;
-}
-
-// A point of the unit square per surface point: into the first two columns of the shadow rays' directions.
-template <class Real>
-void sample_light_points(StageContext<Real>& c, DimId dimension) {
-    using P = Pack<Real>;
-    using R = typename P::R;
-    using F = typename P::F;
-    using U = typename P::U;
-    RayBatch<Real>& b = *c.batch;
-    for (int i = 0; i < b.count; i += P::width) {
-        const SlotSamples<F> samples{load<U>(b.key.at(i)), load<U>(b.hit_index.at(i))};
-        const Vec2<F> u = sample_2d(c.world->sampling.kind, samples, dimension);
-        store(num_cast<R>(u.x), b.shadow.d.x.at(i));
-        store(num_cast<R>(u.y), b.shadow.d.y.at(i));
-    }
-}
-
-// One sample of a light per surface point (each lane may have a light of its own): into the batch's shadow rays.
-// False if the whole packet is unlit.
-template <class Real, class Light>
-[[gnu::always_inline]] inline bool sample_packet(ShadowRays<Real>& rays, int i, const Shading<Real>& s,
-                                                 const Light& light, const typename Pack<Real>::F& weight) {
-    using P = Pack<Real>;
-    using R = typename P::R;
-    using F = typename P::F;
-    const LightSample<R> sample = sample_light(light, s.p, {load<R>(rays.d.x.at(i)), load<R>(rays.d.y.at(i))});
-    const Color3<F> reflected = shade(s, Vec3<F>(sample.wi)) * sample.intensity * weight;
+    const LightSample<R> sample = sample_light(light, load3<R>(b.p, i), u);
     // In front by the same normal, in the precision that decides which side the shadow ray leaves on.
-    const auto in_front = mask_cast<F>(dot(s.n, sample.wi) > R(0));
-    const auto lit = s.active && sample.lit && in_front && max_component(reflected) > F(0);
-    store(select(lit, reflected.r, F(0)), rays.light.x.at(i));
-    store(select(lit, reflected.g, F(0)), rays.light.y.at(i));
-    store(select(lit, reflected.b, F(0)), rays.light.z.at(i));
-    store3(sample.wi, rays.d, i);
-    store(sample.distance, rays.distance.at(i));
-    store(light.body, rays.exclude.at(i));
-    return any(lit);
+    const auto in_front = mask_cast<F>(dot(load3<R>(b.n, i), sample.wi) > R(0));
+    const auto lit = mask_cast<F>(load<I>(b.material.at(i)) >= I(0)) && sample.lit && in_front;
+    store_color(select(lit, sample.intensity * weight, Color3<F>(F(0))), b.shadow.light, i);
+    store3(sample.wi, b.shadow.d, i);
+    store(sample.distance, b.shadow.distance.at(i));
+    store(light.body, b.shadow.exclude.at(i));
+}
+
+// Turns the light that arrives at packet i into the light that is reflected by Phong's terms. False if there is none.
+template <class Real>
+[[gnu::always_inline]] inline bool shade_packet(const World<Real>& w, RayBatch<Real>& b, int i) {
+    using P = Pack<Real>;
+    using R = typename P::R;
+    using F = typename P::F;
+    using I = typename P::I;
+    const Color3<F> light = load_color<F>(b.shadow.light, i);
+    if (!any(max_component(light) > F(0))) return false;
+    const Vec3<F> n(load3<R>(b.n, i)), wi(load3<R>(b.shadow.d, i));
+    const F cosine = dot(n, wi);
+    PhongParameters<F> phong;
+    phong.diffuse = load_color<F>(b.albedo, i);
+    Color3<F> f = phong_diffuse(phong, cosine);
+    if (w.features.specular) {
+        const I material = max(load<I>(b.material.at(i)), I(0));
+        phong.specular = gather_color<F>(w.materials.specular, material);
+        if (any(max_component(phong.specular) > F(0))) {
+            phong.shininess = gather_coherent<F>(w.materials.shininess.data(), material);
+            f += phong_specular(phong, n, wi, -Vec3<F>(load3<R>(b.d, i)), cosine);
+        }
+    }
+    store_color(f * light, b.shadow.light, i);
+    return true;
 }
 
 // Adds what the shadow rays carry where nothing is in their way.
@@ -121,22 +117,18 @@ void trace_shadow_rays(StageContext<Real>& c) {
     }
 }
 
-// Every lit surface point samples the light that `light_at` gives it: (shading, packet) -> light and weight.
+// Every surface point samples the light that `light_at` gives it: packet -> light and weight.
 template <class Real, class LightAt>
 void light_pass(StageContext<Real>& c, DimId dimension, bool has_area, LightAt light_at) {
-    using F = typename Pack<Real>::F;
+    using R = typename Pack<Real>::R;
     RayBatch<Real>& b = *c.batch;
-    if (has_area) sample_light_points(c, dimension);
-    bool lit = false;
     for (int i = 0; i < b.count; i += Pack<Real>::width) {
-        const Shading<Real> s = load_shading(*c.world, b, i);
-        if (!any(s.active)) {
-            store_color(Color3<F>(F(0)), b.shadow.light, i);
-            continue;
-        }
         const auto& light = light_at(i);  // a reference, or a value whose life it prolongs
-        lit = sample_packet(b.shadow, i, s, light.first, light.second) || lit;
+        const Vec2<R> u = has_area ? light_point(c, i, dimension) : Vec2<R>{};
+        sample_packet(b, i, light.first, u, light.second);
     }
+    bool lit = false;
+    for (int i = 0; i < b.count; i += Pack<Real>::width) lit = shade_packet(*c.world, b, i) || lit;
     if (lit) trace_shadow_rays(c);
 }
 
@@ -174,6 +166,7 @@ template <class Real>
 void light_stage(StageContext<Real>& c) {
     const LightTable<Real>& lights = c.world->lights;
     int light_number = 0;  // names the sample dimensions of each light
+    if (!lights.rects.lights.empty() || !lights.spheres.lights.empty()) draw_light_digits(c);
     light_from_all(c, lights.points, light_number);
     light_from_all(c, lights.rects, light_number);
     light_from_all(c, lights.spheres, light_number);

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "drt/stages/stages.h"
 
 namespace drt {
@@ -37,29 +35,24 @@ void merge(StageTimes& into, const StageTimes& from) {
     for (size_t i = 0; i < into.spent.size(); ++i) into.spent[i] += from.spent[i];
 }
 
-namespace {
-
-template <class Real>
-void run_stage(const Stage<Real>& stage, StageContext<Real>& c, StageTimes& times) {
-    const auto begin = std::chrono::steady_clock::now();
-    stage.run(c);
-    times.spent[size_t(stage.kind)] += std::chrono::steady_clock::now() - begin;
-}
-
-}  // namespace
-
 template <class Real>
 void run(const Pipeline<Real>& pipeline, StageContext<Real>& c, StageTimes& times) {
-    for (const auto& s : pipeline.first) run_stage(s, c, times);
-    while (c.batch->count > 0)
-        for (const auto& s : pipeline.bounce) run_stage(s, c, times);
-    for (const auto& s : pipeline.last) run_stage(s, c, times);
+    auto begin = std::chrono::steady_clock::now();
+    const auto run_all = [&](const std::vector<Stage<Real>>& stages) {
+        for (const Stage<Real>& stage : stages) {
+            stage.run(c);
+            const auto end = std::chrono::steady_clock::now();
+            times.spent[size_t(stage.kind)] += end - begin;
+            begin = end;
+        }
+    };
+    run_all(pipeline.first);
+    while (c.batch->count > 0) run_all(pipeline.bounce);
+    run_all(pipeline.last);
 }
 
 template void run(const Pipeline<float>&, StageContext<float>&, StageTimes&);
 template void run(const Pipeline<double>&, StageContext<double>&, StageTimes&);
-
-int samples_per_batch(int pixels) { return std::max(1, batch_capacity / pixels); }
 
 template <class Real>
 Pipeline<Real> compose(const Features& f) {

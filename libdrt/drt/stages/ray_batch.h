@@ -52,6 +52,7 @@ template <class V, class S>
 /// From the surface points towards one light each, by ray number.
 template <class Real>
 struct ShadowRays {
+    Column<std::uint32_t> digits_x, digits_y;  ///< PointDigits that all lights of a hit share
     Column3<Real> d;
     Column<Real> distance;         ///< to the light
     Column<std::int32_t> exclude;  ///< the light's own body
@@ -64,7 +65,7 @@ struct RayBatch {
     int count = 0;
     int bounce = 0;
     Column3<Real> o, d;
-    Column<float> time;
+    Column<float> time;  ///< 0 where nothing moves
     Column<std::int32_t> start;
     Column<std::int32_t> slot;         ///< -1: padding, no ray
     Column<std::uint32_t> key, index;  ///< the path's sample set
@@ -91,7 +92,9 @@ struct RayBatch {
     std::vector<std::int32_t> media_count;
 
     explicit RayBatch(int media_capacity)
-        : media(size_t(media_capacity) * batch_capacity), media_count(media_capacity > 0 ? batch_capacity : 0) {}
+        : time{},
+          media(size_t(media_capacity) * batch_capacity),
+          media_count(media_capacity > 0 ? batch_capacity : 0) {}
 };
 
 }  // namespace drt

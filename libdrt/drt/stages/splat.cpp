@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "drt/stages/stages.h"
 
 namespace drt {
@@ -5,14 +7,19 @@ namespace drt {
 template <class Real>
 void splat_stage(StageContext<Real>& c) {
     const RayBatch<Real>& b = *c.batch;
-    int slot = 0;
-    for (int s = 0; s < c.samples; ++s)
-        for (const TileBlock& block : c.pixels->blocks) {
-            const BlockSamples samples{
-                {b.radiance.x.at(slot), b.radiance.y.at(slot), b.radiance.z.at(slot), b.alpha.at(slot)}, block.valid};
+    const int pixels = c.pixels.count();
+    for (int s = 0; s < std::min(replicate_count, c.samples); ++s) {
+        BlockSamples samples;
+        samples.stride = replicate_count * pixels;
+        samples.count = (c.samples - s + replicate_count - 1) / replicate_count;
+        int slot = s * pixels;
+        for (const TileBlock& block : c.pixels.blocks) {
+            samples.rgba = {b.radiance.x.at(slot), b.radiance.y.at(slot), b.radiance.z.at(slot), b.alpha.at(slot)};
+            samples.valid = block.valid;
             add_block(*c.film, c.first_sample + std::uint32_t(s), block.x, block.y, samples, c.counters->film);
             slot += block_pixels;
         }
+    }
 }
 
 template void splat_stage(StageContext<float>&);

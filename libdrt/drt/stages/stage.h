@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -25,7 +26,12 @@ struct TileBlock {
 struct TilePixels {
     std::vector<TileBlock> blocks;
     std::vector<std::int32_t> x, y;  ///< of all pixels
-    int valid_count = 0;
+};
+
+/// What one batch takes of a tile: some blocks and their pixels.
+struct BatchPixels {
+    std::span<const TileBlock> blocks;
+    std::span<const std::int32_t> x, y;
     int count() const { return int(x.size()); }
 };
 
@@ -44,9 +50,9 @@ template <class Real>
 struct StageContext {
     const World<Real>* world = nullptr;
     Film* film = nullptr;
-    const TilePixels* pixels = nullptr;
+    BatchPixels pixels;
     std::uint32_t first_sample = 0;
-    int samples = 0;  ///< of each pixel in this batch
+    int samples = 0;  ///< of each pixel in this batch; pixels.count() * samples <= batch_capacity
     RayBatch<Real>* batch = nullptr;
     RenderCounters* counters = nullptr;
 };
@@ -75,11 +81,8 @@ struct StageTimes {
 };
 void merge(StageTimes& into, const StageTimes& from);
 
-/// Runs a pipeline over one batch: all of a tile's pixels, `samples` samples each.
+/// Runs a pipeline over one batch.
 template <class Real>
 void run(const Pipeline<Real>&, StageContext<Real>&, StageTimes&);
-
-/// How many samples of each of n pixels fit in one batch.
-int samples_per_batch(int pixels);
 
 }  // namespace drt
