@@ -46,6 +46,7 @@ TEST(PictureSize, AnySizeAndCountFillsEveryPixel) {
         expect_wall(5, 3, spp, 4);
     }
     expect_wall(2049, 1, 3, 32);
+    expect_wall(16384, 3, 2, 32);
 }
 
 // The picture's left half is on the left, its top on the top, in the whole picture and in any corner of a tile.

@@ -13,7 +13,12 @@ Film::Film(int w, int h) : width(w), height(h) {
     for (auto& b : blocks) b.resize(size_t(blocks_across()) * size_t(blocks_down()));
 }
 
-std::size_t Film::memory() const { return blocks.size() * blocks[0].size() * sizeof(FilmBlock); }
+std::size_t Film::memory() const { return film_memory(width, height); }
+
+std::size_t film_memory(int width, int height) {
+    const auto blocks_along = [](int pixels) { return size_t(pixels + block_side - 1) / block_side; };
+    return replicate_count * blocks_along(width) * blocks_along(height) * sizeof(FilmBlock);
+}
 
 namespace {
 
@@ -22,13 +27,9 @@ size_t block_index(const Film& film, int x, int y) {
     return size_t(y / block_side) * size_t(film.blocks_across()) + size_t(x / block_side);
 }
 
-// Morton number of a pixel within its block, and back.
+// Morton number of a pixel within its block.
 constexpr int in_block(int x, int y) { return (x & 1) | (y & 1) << 1 | (x & 2) << 1 | (y & 2) << 2; }
 constexpr size_t place_in_block(int x, int y) { return size_t(in_block(x & (block_side - 1), y & (block_side - 1))); }
-constexpr int x_in_block(int i) { return (i & 1) | (i >> 1 & 2); }
-constexpr int y_in_block(int i) { return (i >> 1 & 1) | (i >> 2 & 2); }
-static_assert(x_in_block(in_block(3, 1)) == 3 && y_in_block(in_block(3, 1)) == 1);
-
 // In fixed point a value is exact above 1 and rounded once below, to the nearest: adding 1.5 * 2^52 to a double leaves
 // the integer in its low bits, which needs no conversion to 64-bit integers (AVX2 has none). Here with the bits of the
 // 1.5 * 2^52 still on top of it. D is double or lanes.
@@ -73,8 +74,9 @@ void add_block(Film& film, std::uint32_t first, int x, int y, const BlockSamples
             for (int i = 0; i < block_pixels; ++i) {
                 const std::ptrdiff_t at = k * s.stride + i;
                 if (s.valid >> i & 1u)
-                    add_sample(film, first + std::uint32_t(k * replicate_count), x + x_in_block(i), y + y_in_block(i),
-                               {s.rgba[0][at], s.rgba[1][at], s.rgba[2][at], s.rgba[3][at]}, counters);
+                    add_sample(film, first + std::uint32_t(k * replicate_count), x + block_x[size_t(i)],
+                               y + block_y[size_t(i)], {s.rgba[0][at], s.rgba[1][at], s.rgba[2][at], s.rgba[3][at]},
+                               counters);
             }
         return;
     }

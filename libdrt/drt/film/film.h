@@ -26,6 +26,11 @@ constexpr std::uint32_t index_in_replicate(std::uint32_t sample) { return sample
 /// contiguous whatever its width, and adding it is a few vector instructions.
 inline constexpr int block_side = 4;
 inline constexpr int block_pixels = block_side * block_side;
+/// Where pixel i of a block lies within it.
+alignas(64) inline constexpr std::array<std::int32_t, block_pixels> block_x{0, 1, 0, 1, 2, 3, 2, 3,
+                                                                            0, 1, 0, 1, 2, 3, 2, 3};
+alignas(64) inline constexpr std::array<std::int32_t, block_pixels> block_y{0, 0, 1, 1, 0, 0, 1, 1,
+                                                                            2, 2, 3, 3, 2, 2, 3, 3};
 
 /// Sums of one replicate over the pixels of a block, next to each other in memory: a block is all that a packet
 /// touches.
@@ -53,6 +58,9 @@ struct Film {
     int blocks_down() const { return (height + block_side - 1) / block_side; }
     std::size_t memory() const;
 };
+
+/// Bytes of a film of this size.
+std::size_t film_memory(int width, int height);
 
 /// How many samples pixel (x, y) has in a replicate.
 std::uint32_t samples_at(const Film&, int replicate, int x, int y);

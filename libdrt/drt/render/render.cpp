@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 
+#include "drt/base/available_memory.h"
 #include "drt/base/flush_denormals.h"
 #include "drt/base/task_order.h"
 #include "drt/render/passes.h"
@@ -47,11 +48,9 @@ struct Worker {
 // is reading and writing the film. Fewer, and larger blocks of the picture: more coherent packets after a bounce.
 constexpr int most_samples_at_once = 8;
 
-BatchPixels batch_pixels(const TilePixels& tile, size_t first_block, size_t count) {
-    const std::span blocks = std::span(tile.blocks).subspan(first_block);
-    count = std::min(count, blocks.size());
-    const size_t first = first_block * block_pixels, pixels = count * block_pixels;
-    return {blocks.first(count), std::span(tile.x).subspan(first, pixels), std::span(tile.y).subspan(first, pixels)};
+BatchPixels batch_pixels(const Tile& tile, size_t first_block, size_t count) {
+    const std::span blocks = std::span(tile).subspan(first_block);
+    return {blocks.first(std::min(count, blocks.size()))};
 }
 
 template <class Real>
@@ -131,7 +130,7 @@ private:
         return !cut_short;
     }
 
-    void run_tile(const TilePixels& tile, std::uint32_t first, int samples) {
+    void run_tile(const Tile& tile, std::uint32_t first, int samples) {
         const FlushDenormals flush;
         Worker<Real>& w = workers_.local();
         StageContext<Real> c;
@@ -141,7 +140,7 @@ private:
         c.counters = &w.counters;
         const int at_once = std::min(samples, most_samples_at_once);
         const size_t blocks_at_once = size_t(batch_capacity / (block_pixels * at_once));
-        for (size_t first_block = 0; first_block < tile.blocks.size(); first_block += blocks_at_once) {
+        for (size_t first_block = 0; first_block < tile.size(); first_block += blocks_at_once) {
             c.pixels = batch_pixels(tile, first_block, blocks_at_once);
             for (int s = 0; s < samples; s += at_once) {
                 c.first_sample = first + std::uint32_t(s);
@@ -169,7 +168,7 @@ private:
     const RenderOptions& options_;
     const RenderEvents& events_;
     RenderResult& result_;
-    std::vector<TilePixels> tiles_;
+    std::vector<Tile> tiles_;
     tbb::enumerable_thread_specific<Worker<Real>> workers_;
     Clock::time_point begin_ = Clock::now();
     std::mutex report_mutex_;
@@ -180,14 +179,17 @@ private:
 RenderResult render(const RenderPlan& plan, const RenderOptions& options, const RenderEvents& events) {
     if (options.tile_size < block_side || options.tile_size > 32 || !std::has_single_bit(unsigned(options.tile_size)))
         throw Error(ErrorKind::usage, "the tile size must be 4, 8, 16 or 32 pixels");
-    RenderResult result;
-    result.film = Film(plan.width, plan.height);
     // TBB starts no more threads than there are cores unless it is told to.
     std::optional<tbb::global_control> allowed;
     if (options.threads > tbb::info::default_concurrency())
         allowed.emplace(tbb::global_control::max_allowed_parallelism, size_t(options.threads));
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    RenderResult result;
     result.threads = arena.max_concurrency();
+    result.memory = estimate_memory(plan, result.threads);
+    if (const auto available = options.memory_limit ? options.memory_limit : available_memory())
+        check_memory(plan, result.memory, *available);
+    result.film = Film(plan.width, plan.height);
     arena.execute([&] {
         std::visit(
             [&](const auto& world) {

@@ -8,6 +8,7 @@
 
 #include "drt/film/film.h"
 #include "drt/plan/plan.h"
+#include "drt/render/memory.h"
 #include "drt/stages/stage.h"
 
 namespace drt {
@@ -17,6 +18,7 @@ struct RenderOptions {
     double time_limit = 0;  ///< seconds; 0 = none. At least one sample per pixel is taken whatever the limit.
     int threads = 0;        ///< 0 = all
     int tile_size = 32;     ///< pixels; a power of two. The picture does not depend on it.
+    std::optional<std::size_t> memory_limit;  ///< bytes that may be allocated; none: what the system has available
     const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the tiles at hand and return
 };
 
@@ -44,8 +46,10 @@ struct RenderResult {
     int spp_done = 0;  ///< samples that every pixel has
     double seconds = 0;
     int threads = 0;
+    MemoryEstimate memory;
 };
 
+/// Throws Error: usage (tile size), memory (before anything large is allocated).
 RenderResult render(const RenderPlan&, const RenderOptions&, const RenderEvents& = {});
 
 }  // namespace drt

@@ -14,29 +14,24 @@ int even_bits(unsigned v) {
 TileBlock make_block(int x, int y, int width, int height) {
     TileBlock b{x, y, 0};
     for (unsigned i = 0; i < unsigned(block_pixels); ++i)
-        if (x + even_bits(i) < width && y + even_bits(i >> 1) < height) b.valid |= 1u << i;
+        if (x + block_x[i] < width && y + block_y[i] < height) b.valid |= 1u << i;
     return b;
 }
 
-TilePixels make_tile(int x0, int y0, int width, int height, int size) {
-    TilePixels t;
+Tile make_tile(int x0, int y0, int width, int height, int size) {
+    Tile tile;
     const unsigned blocks = unsigned(size / block_side) * unsigned(size / block_side);
     for (unsigned m = 0; m < blocks; ++m) {
         const int x = x0 + block_side * even_bits(m), y = y0 + block_side * even_bits(m >> 1);
-        if (x >= width || y >= height) continue;
-        t.blocks.push_back(make_block(x, y, width, height));
-        for (unsigned i = 0; i < unsigned(block_pixels); ++i) {
-            t.x.push_back(x + even_bits(i));
-            t.y.push_back(y + even_bits(i >> 1));
-        }
+        if (x < width && y < height) tile.push_back(make_block(x, y, width, height));
     }
-    return t;
+    return tile;
 }
 
 }  // namespace
 
-std::vector<TilePixels> make_tiles(int width, int height, int size) {
-    std::vector<TilePixels> tiles;
+std::vector<Tile> make_tiles(int width, int height, int size) {
+    std::vector<Tile> tiles;
     for (int y = 0; y < height; y += size)
         for (int x = 0; x < width; x += size) tiles.push_back(make_tile(x, y, width, height, size));
     return tiles;

@@ -11,6 +11,14 @@ namespace drt {
 
 namespace {
 
+// Coordinates of the packet at pixel i of the batch's pixels.
+template <class I>
+[[gnu::always_inline]] inline Vec2<I> pixel_at(const BatchPixels& pixels, int i) {
+    const TileBlock& block = pixels.blocks[size_t(i / block_pixels)];
+    const size_t within = size_t(i % block_pixels);
+    return {I(block.x) + load<I>(&block_x[within]), I(block.y) + load<I>(&block_y[within])};
+}
+
 // Names the sample sets of packet i's pixels and draws the points of the unit square for their pixel filter, into p.x
 // and p.y, which nobody needs yet: samples `first`, first + replicate_count, ..., all of one replicate, so that the
 // hashes that make its key and scrambles are the same for all of them. `hit_index` holds the index as shuffled for the
@@ -25,7 +33,7 @@ template <SamplerKind kind, class Real>
     const SamplePlan& plan = c.world->sampling;
     RayBatch<Real>& b = *c.batch;
     constexpr DimId dimension = dim(PathDim::filter);
-    const I x = load<I>(&c.pixels.x[size_t(i)]), y = load<I>(&c.pixels.y[size_t(i)]);
+    const auto [x, y] = pixel_at<I>(c.pixels, i);
     const auto inside = x < I(c.world->camera.film.width) && y < I(c.world->camera.film.height);
     const U key =
         sample_key<U>(plan.seed, plan.frame, std::uint32_t(replicate_of(c.first_sample + std::uint32_t(first))),
@@ -69,8 +77,8 @@ void place_on_film(const StageContext<Real>& c) {
     int pixel = 0;
     for (int i = 0; i < b.count; i += P::width, pixel += P::width) {
         if (pixel == c.pixels.count()) pixel = 0;
-        R x = num_cast<R>(load<I>(&c.pixels.x[size_t(pixel)])) + R(Real(0.5));
-        R y = num_cast<R>(load<I>(&c.pixels.y[size_t(pixel)])) + R(Real(0.5));
+        const Vec2<I> corner = pixel_at<I>(c.pixels, pixel);
+        R x = num_cast<R>(corner.x) + R(Real(0.5)), y = num_cast<R>(corner.y) + R(Real(0.5));
         F weight(1);
         if (w.features.pixel_filter) {
             const Vec2<F> u{num_cast<F>(load<R>(b.p.x.at(i))), num_cast<F>(load<R>(b.p.y.at(i)))};

@@ -21,18 +21,11 @@ struct TileBlock {
     unsigned valid = 0xffff;    ///< bit i: the block's pixel i is part of the picture
 };
 
-/// The pixels of one tile, block by block in Morton order, so that each packet is a small square of pixels whatever
-/// its width. Pixels beyond the picture's edge are there too, but carry no ray.
-struct TilePixels {
-    std::vector<TileBlock> blocks;
-    std::vector<std::int32_t> x, y;  ///< of all pixels
-};
-
-/// What one batch takes of a tile: some blocks and their pixels.
+/// What one batch takes of a tile: some of its blocks, in Morton order, so that each packet is a small square of pixels
+/// whatever its width. Pixels beyond the picture's edge are there too, but carry no ray.
 struct BatchPixels {
     std::span<const TileBlock> blocks;
-    std::span<const std::int32_t> x, y;
-    int count() const { return int(x.size()); }
+    int count() const { return int(blocks.size()) * block_pixels; }
 };
 
 /// Counted per thread, added up at the end of a pass.
