@@ -2,13 +2,12 @@
 // The ball scene in bare Embree, for yardsticks: no drt code between the rays and the library. Two builds of it: SIMD
 // user geometry (what packet queries can do at best) and Embree's own SPHERE_POINT and quads.
 
-#include <embree3/rtcore.h>
-
 #include <memory>
 #include <vector>
 
 #include "drt/base/simd.h"
 #include "drt/scene/scene_desc.h"
+#include "embree.h"
 
 namespace drt {
 

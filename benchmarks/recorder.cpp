@@ -42,28 +42,36 @@ void restore(const drt::RecordedPacket& p, Ray& r) {
 
 }  // namespace
 
+#if DRT_EMBREE_MAJOR >= 4
+#define DRT_PARAMETERS(Rays, Arguments) const int *valid, RTCScene scene, Rays *rays, Arguments *arguments
+#define DRT_PASS_ON valid, scene, rays, arguments
+#else
+#define DRT_PARAMETERS(Rays, Arguments) const int *valid, RTCScene scene, RTCIntersectContext *context, Rays *rays
+#define DRT_PASS_ON valid, scene, context, rays
+#endif
+
 // A wrapper for each packet width; the renderer uses one of them with float geometry, and that one is recorded.
-#define DRT_WRAP(width)                                                                             \
-    extern "C" {                                                                                    \
-    void __real_rtcIntersect##width(const int*, RTCScene, RTCIntersectContext*, RTCRayHit##width*); \
-    void __real_rtcOccluded##width(const int*, RTCScene, RTCIntersectContext*, RTCRay##width*);     \
-    void __wrap_rtcIntersect##width(const int* valid, RTCScene scene, RTCIntersectContext* context, \
-                                    RTCRayHit##width* rays) {                                       \
-        if constexpr (drt::packet_width == width)                                                   \
-            if (recording) record(valid, rays->ray, false);                                         \
-        __real_rtcIntersect##width(valid, scene, context, rays);                                    \
-    }                                                                                               \
-    void __wrap_rtcOccluded##width(const int* valid, RTCScene scene, RTCIntersectContext* context,  \
-                                   RTCRay##width* rays) {                                           \
-        if constexpr (drt::packet_width == width)                                                   \
-            if (recording) record(valid, *rays, true);                                              \
-        __real_rtcOccluded##width(valid, scene, context, rays);                                     \
-    }                                                                                               \
+#define DRT_WRAP(width)                                                                        \
+    extern "C" {                                                                               \
+    decltype(rtcIntersect##width) __real_rtcIntersect##width;                                  \
+    decltype(rtcOccluded##width) __real_rtcOccluded##width;                                    \
+    void __wrap_rtcIntersect##width(DRT_PARAMETERS(RTCRayHit##width, RTCIntersectArguments)) { \
+        if constexpr (drt::packet_width == width)                                              \
+            if (recording) record(valid, rays->ray, false);                                    \
+        __real_rtcIntersect##width(DRT_PASS_ON);                                               \
+    }                                                                                          \
+    void __wrap_rtcOccluded##width(DRT_PARAMETERS(RTCRay##width, RTCOccludedArguments)) {      \
+        if constexpr (drt::packet_width == width)                                              \
+            if (recording) record(valid, *rays, true);                                         \
+        __real_rtcOccluded##width(DRT_PASS_ON);                                                \
+    }                                                                                          \
     }
 DRT_WRAP(4)
 DRT_WRAP(8)
 DRT_WRAP(16)
 #undef DRT_WRAP
+#undef DRT_PARAMETERS
+#undef DRT_PASS_ON
 
 namespace {
 
@@ -100,20 +108,19 @@ void start_recording(std::vector<RecordedPacket>& into) { recording = &into; }
 void stop_recording() { recording = nullptr; }
 
 std::size_t replay(const BareScene& scene, const std::vector<RecordedPacket>& packets) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    Traversal traversal(false);
     std::size_t hits = 0;
     for (const RecordedPacket& p : packets) {
         if (p.shadow) {
             alignas(64) Native::Ray r;
             restore(p, r);
-            Native::occluded(p.valid, scene.scene, &context, &r);
+            traversal.any(Native::occluded, p.valid, scene.scene, r);
             for (int i = 0; i < packet_width; ++i) hits += p.valid[i] != 0 && r.tfar[i] < 0;
         } else {
             alignas(64) Native::RayHit r;
             restore(p, r.ray);
             for (int i = 0; i < packet_width; ++i) r.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-            Native::intersect(p.valid, scene.scene, &context, &r);
+            traversal.nearest(Native::intersect, p.valid, scene.scene, r);
             for (int i = 0; i < packet_width; ++i)
                 hits += p.valid[i] != 0 && r.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
         }

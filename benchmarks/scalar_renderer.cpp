@@ -39,12 +39,12 @@ struct Materials {
     const Material& at(unsigned geom, unsigned prim) const { return geom == 0 ? *spheres[prim] : *boxes[prim / 6]; }
 };
 
-bool visible(const BareScene& bare, RTCIntersectContext& context, const Vec3f& p, const Vec3f& wi, float distance) {
+bool visible(const BareScene& bare, Traversal& traversal, const Vec3f& p, const Vec3f& wi, float distance) {
     RTCRay r{};
     r.org_x = p.x, r.org_y = p.y, r.org_z = p.z;
     r.dir_x = wi.x, r.dir_y = wi.y, r.dir_z = wi.z;
     r.tnear = 1e-3f, r.tfar = distance * 0.9999f, r.mask = ~0u;
-    rtcOccluded1(bare.scene, &context, &r);
+    traversal.any(bare.scene, r);
     return r.tfar >= 0;
 }
 
@@ -55,9 +55,7 @@ Color render_one_ray_at_a_time(const SceneDesc& s, const BareBodies& bodies, con
     const Materials materials(s);
     const FilterTable filter =
         make_filter({FilterKind::blackman_harris, s.render.filter.radius, s.render.filter.sigma});
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    Traversal traversal(true);
     std::vector<Color> film(size_t(s.render.width) * size_t(s.render.height));
     for (int y = 0; y < s.render.height; ++y)
         for (int x = 0; x < s.render.width; ++x)
@@ -75,7 +73,7 @@ Color render_one_ray_at_a_time(const SceneDesc& s, const BareBodies& bodies, con
                 r.ray.dir_x = d.x, r.ray.dir_y = d.y, r.ray.dir_z = d.z;
                 r.ray.tfar = std::numeric_limits<float>::infinity(), r.ray.mask = ~0u;
                 r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-                rtcIntersect1(bare.scene, &context, &r);
+                traversal.nearest(bare.scene, r);
                 Color& out = film[size_t(y) * size_t(s.render.width) + size_t(x)];
                 if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
                     out += s.background;
@@ -96,7 +94,7 @@ Color render_one_ray_at_a_time(const SceneDesc& s, const BareBodies& bodies, con
                     const Vec3f wi = to / distance, area = cross(edge_x, edge_y);
                     const float cosine = dot(n, wi);
                     const float facing = -dot(wi, area);  // cos times area
-                    if (cosine <= 0 || facing <= 0 || !visible(bare, context, p, wi, distance)) continue;
+                    if (cosine <= 0 || facing <= 0 || !visible(bare, traversal, p, wi, distance)) continue;
                     const Vec3f mirror = n * (2 * cosine) - wi;
                     const float highlight = std::pow(std::max(0.0f, -dot(mirror, d)), float(m.shininess));
                     sum += (m.diffuse * cosine + m.specular * highlight) * l.color *

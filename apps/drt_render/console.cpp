@@ -22,7 +22,7 @@ constexpr int bar_columns = 79;
 
 // Can the bar be drawn and redrawn in place? A narrower terminal would wrap it.
 bool shows_bar(int stream) {
-    const char* terminal = std::getenv("TERM");
+    const char* terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nothing writes the environment
     if (!isatty(stream) || !terminal || std::string_view(terminal) == "dumb") return false;
     winsize size{};
     const bool known = ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

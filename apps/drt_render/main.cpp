@@ -84,7 +84,7 @@ void write_outputs(const Job& job, const OutputInfo& info, const RenderResult& r
                 failure = e;
         }
     }
-    if (failure) throw *failure;
+    if (failure) throw Error(*failure);
 }
 
 void render_frame(const Job& job, int frame) {
