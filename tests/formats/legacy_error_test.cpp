@@ -80,7 +80,7 @@ const Case cases[] = {
     {"vector_with_word", "sphere a { position { 1 up 3 } }\n" + camera,
      "scene.txt:1:25: error: not a number \"up\"; expected a number\n"},
     {"color_too_large", "phong_info a { diffuse { 1e39 0 0 } }\n" + camera,
-     "scene.txt:1:26: error: \"diffuse\" out of range \"1e39\"; expected a number\n"},
+     "scene.txt:1:26: error: \"diffuse\" too large \"1e39\"; expected a number of at most 1e+15 in size\n"},
     {"number_in_braces", "sphere a { radius { 2 } }\n" + camera,
      "scene.txt:1:19: error: \"radius\" takes one value without braces; expected a number > 0\n"},
     {"number_missing", "sphere a { radius }\n" + camera,
@@ -104,7 +104,13 @@ const Case cases[] = {
     {"trailing_letters", "sphere a { radius 1.5abc }\n" + camera,
      "scene.txt:1:19: error: not a number \"1.5abc\"; expected a number > 0\n"},
     {"not_whole", "settings s { width 640.5 }\n" + camera,
-     "scene.txt:1:20: error: \"width\" out of range \"640.5\"; expected a whole number from 1 to 1000000\n"},
+     "scene.txt:1:20: error: \"width\" out of range \"640.5\"; expected a whole number from 1 to 65536\n"},
+    {"one_limit_of_picture_sizes",
+     "settings s { width 65537 height 1000000 recursion 10001 blur_samples 1000001 }\n" + camera,
+     "scene.txt:1:20: error: \"width\" out of range \"65537\"; expected a whole number from 1 to 65536\n"
+     "scene.txt:1:33: error: \"height\" out of range \"1000000\"; expected a whole number from 1 to 65536\n"
+     "scene.txt:1:51: error: \"recursion\" out of range \"10001\"; expected a whole number from 0 to 10000\n"
+     "scene.txt:1:70: error: \"blur_samples\" out of range \"1000001\"; expected a whole number from 0 to 1000000\n"},
     {"flag", "sphere a { use_physics yes }\n" + camera,
      "scene.txt:1:24: error: not a number \"yes\"; expected 0 or 1\n"},
     {"flag_of_two", "sphere a { use_physics 2 }\n" + camera,
@@ -131,8 +137,42 @@ const Case cases[] = {
      "scene.txt:1:1: error: unknown element \"add_force_event\"; expected settings, camera, a material, a body or a "
      "light\n"},
     {"flat_box", "box a { vertex0 { 0 0 0 } vertex1 { 1 1 1 } vertex2 { 2 2 2 } }\n" + camera,
-     "scene.txt:1:1: error: the base of the box has no area, or one that overflows \"a\"; expected vertex0, vertex1 "
+     "scene.txt:1:1: error: the base of the box has no area, or is too large \"a\"; expected vertex0, vertex1 "
      "and vertex2 that are not on one line\n"},
+    {"relations_of_what_is_fine", "sphere a { radius x v_e { 0 0 1 } }\nsphere b { radius x v_e { 0 0 y } }\n" + camera,
+     "scene.txt:1:19: error: not a number \"x\"; expected a number > 0\n"
+     "scene.txt:2:19: error: not a number \"x\"; expected a number > 0\n"
+     "scene.txt:2:31: error: not a number \"y\"; expected a number\n"
+     "scene.txt:1:1: error: v_n is parallel to v_e \"[0, 0, 1]\"; expected a direction away from the axis "
+     "[0, 0, 1]\n"},
+    {"nothing_follows_from_defaults_of_unread_values",
+     "camera C { add_position { nan 0 0 } add_target { 0 0 5 } }\nsphere a { v_m { 1 0 0 } v_n { 0 1 0 } }\n"
+     "box b { vertex1 { 0 0 x } vertex2 { 2 0 0 } }\n",
+     "scene.txt:1:27: error: not a number \"nan\"; expected a number\n"
+     "scene.txt:2:12: error: unknown attribute of sphere \"v_m\"; did you mean \"v_e\"?\n"
+     "scene.txt:3:23: error: not a number \"x\"; expected a number\n"},
+    {"too_large",
+     "sphere a { position { 0 -2e15 0 } radius 1e300 }\nphong_info p { diffuse_reflection 1e14 }\n" + camera,
+     "scene.txt:1:25: error: \"position\" too large \"-2e15\"; expected a number of at most 1e+15 in size\n"
+     "scene.txt:1:42: error: \"radius\" too large \"1e300\"; expected a number of at most 1e+15 in size\n"
+     "scene.txt:2:35: error: \"diffuse_reflection\" too large \"1e14\"; expected a number of at most 1e+13 in size\n"},
+    {"huge_box", "box a { vertex0 { -1e15 0 0 } vertex1 { 1e15 0 0 } }\n" + camera,
+     "scene.txt:1:1: error: the base of the box has no area, or is too large \"a\"; expected vertex0, vertex1 and "
+     "vertex2 that are not on one line\n"},
+    {"names_of_the_file",
+     "sphere a { v_e { 0 0 0 } }\nsphere b { v_n { 0 5 0 } }\nlight_rect c { x { 0 0 0 } }\n"
+     "light_rect d { x { 0 0 3 } }\ncamera C { sky_start { 0 0 1 } }\n"
+     "camera D { video_start 1 video_end 2 sky_start { 0 1 1 } sky_end { 0 0 0 } }\n"
+     "camera E { video_start 2 video_end 3 sky_end { 0 0 1 } add_position { 0 0 9 } }\n",
+     "scene.txt:1:16: error: v_e has no length \"[0, 0, 0]\"; expected a vector that is not zero\n"
+     "scene.txt:2:16: error: v_n is parallel to v_e \"[0, 5, 0]\"; expected a direction away from the axis [0, 1, 0]\n"
+     "scene.txt:3:18: error: x has no length \"[0, 0, 0]\"; expected a vector that is not zero\n"
+     "scene.txt:4:1: error: light without area \"[0, 0, 1]\"; expected an edge that is not parallel to x [0, 0, 3]\n"
+     "scene.txt:5:22: error: sky_start is parallel to the view \"[0, 0, 1]\"; expected a direction away from the view "
+     "[0, 0, -5], for example [0, 1, 0]\n"
+     "scene.txt:6:66: error: sky_end has no length \"[0, 0, 0]\"; expected a vector that is not zero\n"
+     "scene.txt:7:46: error: sky_end is parallel to the view at the end \"[0, 0, 1]\"; expected a direction away from "
+     "the view [0, 0, -9], for example [0, 1, 0]\n"},
     {"comment_hash", "# a comment of { words }\n" + camera,
      "scene.txt:1:1: error: the legacy format has no comments \"#\"; expected an element\n"},
     {"comment_slashes", "sphere a { // radius 2\n radius 1 }\n" + camera,
@@ -151,6 +191,18 @@ INSTANTIATE_TEST_SUITE_P(All, LegacyErrors, testing::ValuesIn(cases),
                          [](const auto& param) { return std::string(param.param.name); });
 
 // ---- places and spellings ------------------------------------------------------------------------------------------
+
+TEST(LegacyNames, OfConvertedValues) {
+    LegacyOptions options;
+    options.legacy_step = 10;
+    EXPECT_EQ(errors_of("sphere a { use_physics 1 add_force_event { force { 1e15 0 0 } } }\n" + camera, options),
+              "scene.txt:1:50: error: force is too large \"[1e+16, 0, 0]\"; expected three numbers of at most 1e15 in "
+              "size\n");
+    options.fov = LegacyOptions::Fov::distance;
+    EXPECT_EQ(errors_of("camera C { FOV_start 1e-300 FOV_end 1 }", options),
+              "scene.txt:1:22: error: FOV_start gives an angle of view of 180 degrees \"1e-300\"; expected a larger "
+              "number\n");
+}
 
 TEST(LegacyText, EveryLineEndingCountsLines) {
     for (const std::string end : {"\n", "\r\n", "\r"})

@@ -5,12 +5,9 @@
 namespace drt::legacy_test {
 namespace {
 
-std::string lines(const Diagnostics& ds, bool errors_only) {
+std::string lines(const Diagnostics& ds) {
     std::string out;
-    for (const Diagnostic& d : ds) {
-        if (errors_only && d.severity != Severity::error) continue;
-        out += to_string(d) + '\n';
-    }
+    for (const Diagnostic& d : ds) out += to_string(d) + '\n';
     return out;
 }
 
@@ -25,12 +22,12 @@ std::string errors_of(const std::string& text, const LegacyOptions& options) {
         read(text, options);
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), ErrorKind::scene);
-        return lines(e.diagnostics(), true);
+        return lines(e.diagnostics());
     }
     return "";
 }
 
-std::string notes_of(const SceneRead& read) { return lines(read.notes, false); }
+std::string notes_of(const SceneRead& read) { return lines(read.notes); }
 
 bool says(const SceneRead& read, const std::string& words) { return notes_of(read).find(words) != std::string::npos; }
 

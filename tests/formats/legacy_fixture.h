@@ -15,7 +15,7 @@ inline const std::string camera = "camera C { add_position { 0 0 5 } add_target 
 /// The scene of a file "scene.txt" that holds `text`.
 SceneRead read(const std::string& text, const LegacyOptions& = {});
 
-/// One line per error, or "" when the text can be read.
+/// All that is said of a text that cannot be read, a line each; "" when it can be read.
 std::string errors_of(const std::string& text, const LegacyOptions& = {});
 /// One line per warning and note.
 std::string notes_of(const SceneRead&);

@@ -490,6 +490,36 @@ const std::vector<Case> value_cases{
      "bad.yaml:16:18: error: fov_degrees is out of range \"180\"; expected a number > 0 and < 180"},
 };
 
+// ---- several faults of one thing: each is told, none twice
+
+const std::vector<Case> together_cases{
+    {"unread_position",
+     "drt: 1\n"
+     "cameras:\n"
+     "  - {position: [.nan, 0, 0], target: [0, 0, 5], fov_degrees: 200}\n"  // position's default
+     "  - {name: b, position: [0, 0, 1], target: [0, 0, 1], video_end: x, fov_degrees: y}\n",
+     "bad.yaml:3:17: error: position is not finite \".nan\"; expected a number\n"
+     "bad.yaml:3:62: error: fov_degrees is out of range \"200\"; expected a number > 0 and < 180\n"
+     "bad.yaml:4:44: error: the camera's target is its position \"[0, 0, 1]\"; expected a point away from the eye "
+     "[0, 0, 1]\n"
+     "bad.yaml:4:66: error: video_end is not a number \"x\"; expected a number\n"
+     "bad.yaml:4:82: error: fov_degrees is not a number \"y\"; expected a number > 0 and < 180"},
+    {"unread_list",
+     "drt: 1\n"
+     "cameras:\n"
+     "  - targets: 5\n",
+     "bad.yaml:3:14: error: targets is a single value \"5\"; expected a list: `- ` before each item, or [] for none"},
+    {"unread_edge",
+     head + "lights:\n"
+            "  - {type: rectangle, color: -1, edge_x: [1, 0, 0], edge_y: [2, 0, 0]}\n"
+            "  - {type: rectangle, color: -1, edge_x: [0, 0, x], edge_y: [2, 0, 0]}\n",
+     "bad.yaml:4:30: error: color is out of range \"-1\"; expected a colour of numbers >= 0\n"
+     "bad.yaml:4:61: error: light without area \"[2, 0, 0]\"; expected an edge that is not parallel to edge_x [1, 0, "
+     "0]\n"
+     "bad.yaml:5:30: error: color is out of range \"-1\"; expected a colour of numbers >= 0\n"
+     "bad.yaml:5:49: error: edge_x is not a number \"x\"; expected a number"},
+};
+
 std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Document, YamlErrors, testing::ValuesIn(document_cases), case_name);
@@ -499,6 +529,7 @@ INSTANTIATE_TEST_SUITE_P(Numbers, YamlErrors, testing::ValuesIn(number_cases), c
 INSTANTIATE_TEST_SUITE_P(Kinds, YamlErrors, testing::ValuesIn(kind_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Keys, YamlErrors, testing::ValuesIn(key_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Values, YamlErrors, testing::ValuesIn(value_cases), case_name);
+INSTANTIATE_TEST_SUITE_P(Together, YamlErrors, testing::ValuesIn(together_cases), case_name);
 
 }  // namespace
 }  // namespace drt

@@ -28,6 +28,17 @@ TEST(SourceMap, FindsTheNearestEnclosingPlace) {
     EXPECT_EQ(sources.find("bodies[11].radius"), (Location{"a.yaml", 0, 0}));
 }
 
+TEST(SourceMap, WhatIsPartOfSomethingUnreadIsUnread) {
+    SourceMap sources;
+    EXPECT_FALSE(sources.is_unread("bodies[3].radius"));
+    sources.unread = {"bodies[3]", "cameras[0].up"};
+    EXPECT_TRUE(sources.is_unread("bodies[3]"));
+    EXPECT_TRUE(sources.is_unread("bodies[3].radius"));
+    EXPECT_TRUE(sources.is_unread("cameras[0].up.start"));
+    EXPECT_FALSE(sources.is_unread("cameras[0]"));
+    EXPECT_FALSE(sources.is_unread("bodies[31].radius"));
+}
+
 TEST(ValueText, IsTheShortestThatReadsBack) {
     EXPECT_EQ(to_text(0.1), "0.1");
     EXPECT_EQ(to_text(0.1f), "0.1");

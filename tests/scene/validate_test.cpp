@@ -224,7 +224,7 @@ const std::vector<Case> body_cases{
      [](SceneDesc& s) {
          ball(s).meridian = {0, -3, 0};
      },
-     {"bodies[0].meridian: error: meridian is parallel to the pole \"[0, -3, 0]\"; expected a direction away from the "
+     {"bodies[0].meridian: error: meridian is parallel to pole \"[0, -3, 0]\"; expected a direction away from the "
       "axis [0, 1, 0]"}},
     {"plane_normal",
      [](SceneDesc& s) {
@@ -528,6 +528,77 @@ const std::vector<Case> camera_cases{
      {}},
 };
 
+// Checks of how values go together look at their own values only: other faults of the object do not hide what they
+// find, and what is wrong or could not be read is not told a second time.
+const std::vector<Case> together_cases{
+    {"picture_and_rate",
+     [](SceneDesc& s) { s.render.fps = 0, s.render.width = s.render.height = 20000; },
+     {"render.fps: error: fps is out of range \"0\"; expected a number > 0",
+      "render.width: error: too many pixels \"20000 x 20000\"; expected at most 2^28 = 268435456 in all"}},
+    {"ball_and_name",
+     [](SceneDesc& s) { s.bodies[0].name = "b\xe9", ball(s).radius = -1, ball(s).meridian = ball(s).pole; },
+     {"bodies[0].name: error: name is not UTF-8 text",
+      "bodies[0].radius: error: radius is out of range \"-1\"; expected a number > 0",
+      "bodies[0].meridian: error: meridian is parallel to pole \"[0, 1, 0]\"; expected a direction away from the "
+      "axis [0, 1, 0]"}},
+    {"cylinder_without_radius",
+     [](SceneDesc& s) {
+         s.bodies[0].shape = Cylinder{{1, 2, 3}, {1, 2, 3}, 0, true};
+     },
+     {"bodies[0].radius: error: radius is out of range \"0\"; expected a number > 0",
+      "bodies[0].to: error: cylinder without length \"[1, 2, 3]\"; expected a point away from its other end"}},
+    {"light_and_colour",
+     [](SceneDesc& s) {
+         s.lights[0].color = Color{-1.0f}, sun(s).edge_y = {-2, 0, 0}, s.lights[0].falloff = Light::Falloff::none;
+     },
+     {"lights[0].color: error: color is out of range \"-1\"; expected a colour of numbers >= 0",
+      "lights[0].edge_y: error: light without area \"[-2, 0, 0]\"; expected an edge that is not parallel to edge_x "
+      "[1, 0, 0]",
+      "lights[0].visible: error: a light with falloff none has no radiance to be seen \"true\"; expected false, or "
+      "falloff: inverse_square"}},
+    {"camera_and_angle",
+     [](SceneDesc& s) {
+         Camera& c = s.cameras[0];
+         c.targets[0] = c.positions[0], c.fov_degrees_start = 200, c.up_start = {}, c.video_end = -1;
+     },
+     {"cameras[0].up.start: error: up has no length \"[0, 0, 0]\"; expected a vector that is not zero",
+      "cameras[0].fov_degrees.start: error: fov_degrees is out of range \"200\"; expected a number > 0 and < 180",
+      "cameras[0].targets: error: the camera's target is its position \"[0, 0, 5]\"; expected a point away from the "
+      "eye [0, 0, 5]",
+      "cameras[0].video_end: error: the camera's video ends before it starts \"-1\"; expected more than video_start "
+      "0"}},
+    {"first_view_and_last_point",
+     [](SceneDesc& s) {
+         Camera& c = s.cameras[0];
+         c.positions.push_back({0, nan, 0}), c.targets[0] = c.positions[0], c.video_end = 1;
+     },
+     {"cameras[0].positions[1]: error: positions is not finite \"[0, nan, 0]\"; expected three numbers",
+      "cameras[0].targets: error: the camera's target is its position \"[0, 0, 5]\"; expected a point away from the "
+      "eye [0, 0, 5]"}},
+    {"infinite_position",
+     [](SceneDesc& s) { s.cameras[0].positions[0].x = inf; },
+     {"cameras[0].positions[0]: error: positions is not finite \"[inf, 0, 5]\"; expected three numbers"}},
+    {"unread_position",
+     [](SceneDesc& s) { s.cameras[0].targets = s.cameras[0].positions, s.sources.unread = {"cameras[0].positions"}; },
+     {}},
+    {"unread_end",
+     [](SceneDesc& s) {
+         s.cameras[0].positions.push_back({0, 0, 9}), s.sources.unread = {"cameras[0].video_end"};
+     },
+     {}},
+    {"unread_targets",
+     [](SceneDesc& s) { s.cameras[0].targets.clear(), s.sources.unread = {"cameras[0].targets"}; },
+     {}},
+    {"unread_pole",
+     [](SceneDesc& s) {
+         ball(s).meridian = ball(s).pole, s.sources.unread = {"bodies[0].pole", "bodies[1].normal"};
+     },
+     {}},
+    {"key_without_time",
+     [](SceneDesc& s) { s.bodies[0].motion = two_keys(), s.bodies[0].motion->keys[0].time = nan; },
+     {"bodies[0].motion.keys[0].time: error: time is not finite \"nan\"; expected a number"}},
+};
+
 std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Render, Validate, testing::ValuesIn(render_cases), case_name);
@@ -536,6 +607,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Validate, testing::ValuesIn(body_cases), case_n
 INSTANTIATE_TEST_SUITE_P(Motion, Validate, testing::ValuesIn(motion_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Lights, Validate, testing::ValuesIn(light_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Cameras, Validate, testing::ValuesIn(camera_cases), case_name);
+INSTANTIATE_TEST_SUITE_P(Together, Validate, testing::ValuesIn(together_cases), case_name);
 
 TEST(ValidateTogether, ReportsEveryFaultOfAScene) {
     SceneDesc scene = valid_scene();

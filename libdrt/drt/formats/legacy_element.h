@@ -21,6 +21,7 @@ struct LegacyValue {
     LegacyData data;
     LegacyPlace place;         ///< of the value, or of the element when it was not given
     std::string_view spelled;  ///< the attribute as written (it may be an alias); empty when it was not given
+    bool unread = false;       ///< it was given, or may have been, and could not be read: `data` is the default
 };
 
 struct LegacyElement {

@@ -27,9 +27,12 @@ struct LegacyMapping {
 
     /// Records where `path` of the SceneDesc was written.
     void mark(const std::string& path, LegacyPlace place) { scene.sources.places[path] = report.location(place); }
-    /// Of what an attribute says. One that was not given is at its element, which SourceMap finds by itself.
+    /// Of what an attribute says, and its name. One that was not given is at its element, which SourceMap finds by
+    /// itself.
     void mark(const std::string& path, const LegacyElement& e, std::string_view attribute) {
+        if (!path.ends_with('.' + std::string(attribute))) scene.sources.set_name(path, attribute);
         if (e.given(attribute)) mark(path, e.value(attribute).place);
+        if (e.value(attribute).unread) scene.sources.unread.insert(path);
     }
 };
 
@@ -43,7 +46,7 @@ void map_legacy_lights(LegacyMapping&);
 
 /// The box over a base rectangle: vertex0-vertex1 is one edge, the opposite one passes through vertex2, and `height`
 /// goes along (vertex2 - vertex0) x (vertex1 - vertex0), a negative one the other way. The box's local axes are the
-/// edge, the height and the other edge. Empty when the base has no area or overflows.
+/// edge, the height and the other edge. Empty when the base has no area or is larger than a scene may be.
 std::optional<Box> box_from_base(const Vec3d& vertex0, const Vec3d& vertex1, const Vec3d& vertex2, double height);
 
 }  // namespace drt

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "drt/formats/legacy_map.h"
+#include "drt/scene/fields.h"
 
 namespace drt {
 namespace {
@@ -41,13 +42,13 @@ struct BodyMapping {
 };
 
 Shape map_box(BodyMapping& b) {
+    for (const char* attribute : {"vertex0", "vertex1", "vertex2", "height"})
+        if (b.e.value(attribute).unread) return Box{};
     const auto box =
         box_from_base(b.e.vector("vertex0"), b.e.vector("vertex1"), b.e.vector("vertex2"), b.e.real("height"));
     if (!box)
-        b.m.report.error(b.e.place, "the base of the box has no area, or one that overflows", b.e.name,
+        b.m.report.error(b.e.place, "the base of the box has no area, or is too large", b.e.name,
                          "vertex0, vertex1 and vertex2 that are not on one line");
-    b.mark("center", "vertex0");
-    b.mark("size", "height");
     return box.value_or(Box{});
 }
 
@@ -96,6 +97,7 @@ std::optional<PhysicsDesc> map_physics(BodyMapping& b) {
     for (const LegacyElement& event : *events) {
         const std::string path = b.path + ".physics.impulses[" + std::to_string(physics.impulses.size()) + ']';
         b.m.mark(path, event.place);
+        b.m.mark(path + ".impulse", event, "force");
         physics.impulses.push_back({event.real("time"), event.vector("force") * b.m.options.legacy_step});
     }
     return physics;
@@ -173,7 +175,9 @@ std::optional<Box> box_from_base(const Vec3d& vertex0, const Vec3d& vertex1, con
     const Box box{vertex0 + edge * 0.5 + other * 0.5 + y * (height / 2),
                   {width, std::fabs(height), depth},
                   quat_from_axes(x, y, z)};
-    if (!is_finite(box.center) || !is_finite(box.size)) return {};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const Vec3d& v : {box.center, box.size})
+            if (!(std::fabs(component(v, axis)) <= largest_number)) return {};
     return box;
 }
 

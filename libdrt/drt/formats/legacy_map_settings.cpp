@@ -5,6 +5,7 @@
 
 #include "drt/base/constants.h"
 #include "drt/formats/legacy_map.h"
+#include "drt/scene/value_text.h"
 
 namespace drt {
 namespace {
@@ -49,9 +50,15 @@ void note_effects_off(LegacyMapping& m, const LegacyElement& e) {
             m.report.note(e.value(attribute).place, std::string(attribute) + " is 0: " + effect);
 }
 
-double fov_degrees(const LegacyMapping& m, double fov) {
-    const double half_tangent = m.options.fov == LegacyOptions::Fov::half_width ? fov / 2 : 1 / fov;
-    return degrees(2 * std::atan(half_tangent));
+std::optional<double> fov_degrees(LegacyMapping& m, const LegacyElement& e, std::string_view attribute) {
+    const auto fov = optional_real(e, attribute);
+    if (!fov) return {};
+    const double half_tangent = m.options.fov == LegacyOptions::Fov::half_width ? *fov / 2 : 1 / *fov;
+    const double angle = degrees(2 * std::atan(half_tangent));
+    if (angle < 180) return angle;
+    m.report.error(e.value(attribute).place, std::string(attribute) + " gives an angle of view of 180 degrees",
+                   to_text(*fov), "a larger number");
+    return {};
 }
 
 /// Legacy cameras and their implicit times. drt has one implicit length, "for ever"; the others are written out.
@@ -80,8 +87,8 @@ void map_camera(LegacyMapping& m, const LegacyElement& settings, size_t index, c
     c.targets = std::get<std::vector<Vec3d>>(e.value("add_target").data);
     c.up_start = e.vector("sky_start");
     if (!e.implicit("sky_end")) c.up_end = e.vector("sky_end");
-    if (const auto fov = optional_real(e, "FOV_start")) c.fov_degrees_start = fov_degrees(m, *fov);
-    if (const auto fov = optional_real(e, "FOV_end")) c.fov_degrees_end = fov_degrees(m, *fov);
+    c.fov_degrees_start = fov_degrees(m, e, "FOV_start").value_or(c.fov_degrees_start);
+    c.fov_degrees_end = fov_degrees(m, e, "FOV_end");
     map_times(m, e, next, c);
     c.lens = {m.effects.lens ? settings.real("dof_c") : 0, optional_real(e, "DOF_start"), optional_real(e, "DOF_end"),
               Lens::Distribution::radial, Lens::FocusSurface::sphere};

@@ -1,6 +1,5 @@
 #include "drt/formats/legacy_numbers.h"
 
-#include <cfloat>
 #include <cmath>
 
 #include "drt/formats/number.h"
@@ -21,10 +20,9 @@ LegacyNumber parse_legacy_number(std::string_view word) {
 }
 
 bool legacy_in_range(const LegacyAttribute& a, double value) {
-    constexpr double largest_count = 1e6;
     if (a.type == LegacyType::flag) return value == 0 || value == 1;
-    if (a.type == LegacyType::color) return std::fabs(value) <= double(FLT_MAX);
-    if (a.type == LegacyType::whole && (value != std::floor(value) || value > largest_count)) return false;
+    if (std::fabs(value) > a.most) return false;
+    if (a.type == LegacyType::whole && value != std::floor(value)) return false;
     switch (a.range) {
         case LegacyRange::any:
             return true;

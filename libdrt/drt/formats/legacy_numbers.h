@@ -14,7 +14,7 @@ struct LegacyNumber {
 
 LegacyNumber parse_legacy_number(std::string_view word);
 
-/// The attribute's range, and what its type implies (a whole number, 0 or 1, a float for colours).
+/// The attribute's range and limit, and what its type implies (a whole number, 0 or 1).
 bool legacy_in_range(const LegacyAttribute&, double value);
 
 }  // namespace drt

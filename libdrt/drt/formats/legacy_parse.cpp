@@ -33,8 +33,10 @@ private:
     LegacyElement body(const LegacyElementType&, LegacyPlace);
     void attribute(LegacyElement&);
     int attribute_index(const LegacyElementType&, LegacyToken& name);
-    void unknown_attribute(const LegacyElementType&, const LegacyToken& name);
+    void unknown_attribute(LegacyElement&, const LegacyToken& name);
     void read_value(LegacyElement&, const LegacyAttribute&, const LegacyToken& name, LegacyValue&);
+    void read_number(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name, LegacyValue&);
+    void read_vector(const LegacyElementType&, const LegacyAttribute&, const LegacyToken& name, LegacyValue&);
     void read_reference(LegacyElement&, const LegacyAttribute&, const LegacyToken& name, LegacyValue&);
     bool ends_body(const LegacyElementType&) const;
 
@@ -185,13 +187,14 @@ void Parser::ensure_settings() {
 void Parser::attribute(LegacyElement& e) {
     LegacyToken name = in_.tokens.next();
     const int index = attribute_index(*e.type, name);
-    if (index < 0) return unknown_attribute(*e.type, name);
+    if (index < 0) return unknown_attribute(e, name);
     const LegacyAttribute& a = e.type->attributes[size_t(index)];
     LegacyValue& value = e.values[size_t(index)];
     if (value.place.line != 0 && !a.repeats)
         in_.report.error(place_of(name),
                          "the attribute is given twice (first at line " + std::to_string(value.place.line) + ")",
                          name.text, "each attribute once");
+    if (value.spelled.empty()) value.unread = false;
     value.spelled = name.text;
     read_value(e, a, name, value);
     refuse_more_numbers(in_, a);
@@ -210,7 +213,10 @@ int Parser::attribute_index(const LegacyElementType& type, LegacyToken& name) {
     return found;
 }
 
-void Parser::unknown_attribute(const LegacyElementType& type, const LegacyToken& name) {
+void Parser::unknown_attribute(LegacyElement& e, const LegacyToken& name) {
+    const LegacyElementType& type = *e.type;
+    for (LegacyValue& value : e.values)  // it may have been meant to be any of those that are not given
+        if (value.spelled.empty()) value.unread = true;
     if (name.text.starts_with('#') || name.text.starts_with("//") || name.text.starts_with("/*")) {
         in_.report.error(place_of(name), "the legacy format has no comments", name.text, "an attribute");
         return in_.tokens.skip_line(name.line);
@@ -231,23 +237,11 @@ void Parser::read_value(LegacyElement& e, const LegacyAttribute& a, const Legacy
         case LegacyType::real:
         case LegacyType::whole:
         case LegacyType::flag:
-            if (const auto number = read_legacy_number(in_, *e.type, a, name)) {
-                if (a.minus_one && *number == -1)
-                    value.spelled = {};  // as if it had not been given
-                else
-                    value.data = *number;
-            }
+            read_number(*e.type, a, name, value);
             break;
         case LegacyType::vector:
         case LegacyType::color:
-            if (const auto v = read_legacy_vector(in_, *e.type, a, name)) {
-                if (!a.repeats)
-                    value.data = *v;
-                else if (auto* list = std::get_if<std::vector<Vec3d>>(&value.data))
-                    list->push_back(*v);
-                else
-                    value.data = std::vector<Vec3d>{*v};
-            }
+            read_vector(*e.type, a, name, value);
             break;
         case LegacyType::word:
             if (const auto word = read_legacy_word(in_, *e.type, a, name)) value.data = *word;
@@ -266,6 +260,30 @@ void Parser::read_value(LegacyElement& e, const LegacyAttribute& a, const Legacy
             break;
         }
     }
+}
+
+void Parser::read_number(const LegacyElementType& type, const LegacyAttribute& a, const LegacyToken& name,
+                         LegacyValue& value) {
+    const auto number = read_legacy_number(in_, type, a, name);
+    if (!number)
+        value.unread = true;
+    else if (a.minus_one && *number == -1)
+        value.spelled = {};  // as if it had not been given
+    else
+        value.data = *number;
+}
+
+void Parser::read_vector(const LegacyElementType& type, const LegacyAttribute& a, const LegacyToken& name,
+                         LegacyValue& value) {
+    const auto v = read_legacy_vector(in_, type, a, name);
+    if (!v)
+        value.unread = true;
+    else if (!a.repeats)
+        value.data = *v;
+    else if (auto* list = std::get_if<std::vector<Vec3d>>(&value.data))
+        list->push_back(*v);
+    else
+        value.data = std::vector<Vec3d>{*v};
 }
 
 /// `texture X` is an attribute, `texture X {` the next element after a forgotten closing brace.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "drt/formats/legacy_map.h"
 #include "drt/formats/legacy_parse.h"
@@ -13,14 +14,14 @@
 namespace drt {
 namespace {
 
-/// Adds what validate() finds beyond the reader's own errors. What stands in a line with an error, or has no place at
-/// all ("no camera") in a file with errors, may well be their consequence.
+/// Adds what validate() finds beyond the reader's own errors. What is at the very place of an error, or has no place at
+/// all ("no camera") in a file with errors, may well be its consequence.
 void append_new(Diagnostics& all, Diagnostics found) {
-    std::set<int> lines;
+    std::set<std::pair<int, int>> places;
     for (const Diagnostic& d : all)
-        if (d.severity == Severity::error) lines.insert({0, d.where.line});
+        if (d.severity == Severity::error) places.insert({{0, 0}, {d.where.line, d.where.column}});
     for (Diagnostic& d : found)
-        if (!lines.contains(d.where.line)) all.push_back(std::move(d));
+        if (!places.contains({d.where.line, d.where.column})) all.push_back(std::move(d));
 }
 
 }  // namespace
@@ -50,7 +51,10 @@ SceneRead read_legacy_bytes(std::string bytes, const std::string& path, const Le
     const bool full = report.full();
     result.notes = report.take();
     if (is_text && !full) append_new(result.notes, validate(result.scene));
-    if (has_errors(result.notes)) throw Error(ErrorKind::scene, std::move(result.notes));
+    if (has_errors(result.notes)) {
+        std::erase_if(result.notes, [](const Diagnostic& d) { return d.severity != Severity::error; });
+        throw Error(ErrorKind::scene, std::move(result.notes));
+    }
     return result;
 }
 

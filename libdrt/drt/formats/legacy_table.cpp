@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "drt/scene/scene_fields.h"
+#include "drt/scene/value_text.h"
+
 namespace drt {
 namespace {
 
@@ -23,8 +26,15 @@ constexpr LegacyAttribute or_implicit(LegacyAttribute a) {
     a.minus_one = true;
     return a;
 }
-constexpr LegacyAttribute count(std::string_view name, std::string_view fallback, Range range = Range::not_negative) {
-    return or_implicit({.name = name, .type = Type::whole, .fallback = fallback, .range = range});
+constexpr LegacyAttribute count(std::string_view name, std::string_view fallback, double most = 1e6,
+                                Range range = Range::not_negative) {
+    return or_implicit({.name = name, .type = Type::whole, .fallback = fallback, .range = range, .most = most});
+}
+/// Radians, in a scene degrees.
+constexpr LegacyAttribute spread(std::string_view name) {
+    LegacyAttribute a = number(name, "0", Range::not_negative);
+    a.most = 1e13;
+    return a;
 }
 constexpr LegacyAttribute repeated(LegacyAttribute a) {
     a.repeats = true;
@@ -44,8 +54,8 @@ constexpr LegacyAttribute material{.name = "material",
 // The thesis gives no defaults. These switch an effect on only where the file asks for its strength (dof_c, a light's
 // size, diffuse_reflection) or, for the shutter, its samples; the depth is the manual's advice ("2-4").
 constexpr LegacyAttribute settings[] = {
-    count("width", "640", Range::positive),
-    count("height", "480", Range::positive),
+    count("width", "640", largest_image_side, Range::positive),
+    count("height", "480", largest_image_side, Range::positive),
     or_implicit(number("fps", "25", Range::positive)),
     count("interpolate_samples", "0"),
     count("blur_samples", "0"),
@@ -56,7 +66,7 @@ constexpr LegacyAttribute settings[] = {
     count("soft_shadow_samples", "1"),
     count("diffuse_reflection_samples", "1"),
     count("diffuse_refraction_samples", "1"),
-    count("recursion", "3"),
+    count("recursion", "3", largest_depth),
 };
 
 constexpr LegacyAttribute camera[] = {
@@ -80,9 +90,9 @@ constexpr LegacyAttribute phong[] = {
     color("specular", "0 0 0"),
     number("shininess", "20", Range::not_negative),
     number("reflectance", "0", Range::not_negative),
-    number("diffuse_reflection", "0", Range::not_negative),
+    spread("diffuse_reflection"),
     number("refraction", "0", Range::not_negative),
-    number("diffuse_refraction", "0", Range::not_negative),
+    spread("diffuse_refraction"),
     number("refraction_index", "1.5", Range::positive),
 };
 
@@ -184,12 +194,17 @@ int find_legacy_attribute(const LegacyElementType& element, std::string_view nam
     return it == element.attributes.end() ? -1 : int(it - element.attributes.begin());
 }
 
-std::string_view legacy_expectation(const LegacyAttribute& a) {
+std::string legacy_size_expectation(const LegacyAttribute& a) {
+    return "a number of at most " + to_text(a.most) + " in size";
+}
+
+std::string legacy_expectation(const LegacyAttribute& a) {
     switch (a.type) {
         case Type::real:
-            return number_expectation(a.range);
+            return std::string(number_expectation(a.range));
         case Type::whole:
-            return a.range == Range::positive ? "a whole number from 1 to 1000000" : "a whole number from 0 to 1000000";
+            return "a whole number from " + std::string(a.range == LegacyRange::positive ? "1" : "0") + " to " +
+                   std::to_string(int(a.most));
         case Type::flag:
             return "0 or 1";
         case Type::vector:

@@ -4,7 +4,10 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
+
+#include "drt/scene/fields.h"
 
 namespace drt {
 
@@ -46,7 +49,8 @@ struct LegacyAttribute {
     /// Empty: nothing is to be said (optional) or, with `required`, an error.
     std::string_view fallback = {};
     LegacyRange range = LegacyRange::any;
-    bool minus_one = false;  ///< -1 stands for the fallback
+    double most = largest_number;  ///< in size
+    bool minus_one = false;        ///< -1 stands for the fallback
     bool repeats = false;
     bool required = false;
     std::array<std::string_view, 2> aliases = {};
@@ -67,6 +71,8 @@ const LegacyElementType& legacy_force_event();
 int find_legacy_attribute(const LegacyElementType&, std::string_view name);
 
 /// "a number > 0", "{ x y z }": for messages.
-std::string_view legacy_expectation(const LegacyAttribute&);
+std::string legacy_expectation(const LegacyAttribute&);
+/// "a number of at most 1e15 in size": for messages about numbers beyond LegacyAttribute::most.
+std::string legacy_size_expectation(const LegacyAttribute&);
 
 }  // namespace drt

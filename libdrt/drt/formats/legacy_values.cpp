@@ -1,6 +1,7 @@
 #include "drt/formats/legacy_values.h"
 
 #include <array>
+#include <cmath>
 
 #include "drt/formats/legacy_numbers.h"
 
@@ -29,6 +30,15 @@ bool value_is_missing(LegacyInput& in, const LegacyElementType& type, const Lega
     return is_next;
 }
 
+/// What is wrong with a number's size, "" when nothing is. Says what is expected of one that is too large.
+std::string range_fault(const LegacyAttribute& a, const LegacyToken& name, double value, std::string& expected) {
+    if (legacy_in_range(a, value)) return {};
+    const bool has_known_limits = a.type == LegacyType::whole || a.type == LegacyType::flag;
+    if (has_known_limits || std::fabs(value) <= a.most) return quote(name.text) + " out of range";
+    expected = legacy_size_expectation(a);
+    return quote(name.text) + " too large";
+}
+
 struct Components {
     size_t count = 0;
     bool good = true;
@@ -40,11 +50,11 @@ Components read_components(LegacyInput& in, const LegacyElementType& type, const
     Components found;
     while (in.tokens.peek().kind == Kind::word) {
         const LegacyNumber number = parse_legacy_number(in.tokens.peek().text);
-        std::string wrong(number.error);
+        std::string wrong(number.error), expected = "a number";
         if (!wrong.empty() && (!in_braces || begins_something(in, type))) break;
         const LegacyToken t = found.count < 3 ? in.tokens.next() : skip_token(in);
-        if (wrong.empty() && !legacy_in_range(a, number.value)) wrong = quote(name.text) + " out of range";
-        if (!wrong.empty()) in.report.error(place_of(t), wrong, t.text, "a number");
+        if (wrong.empty()) wrong = range_fault(a, name, number.value, expected);
+        if (!wrong.empty()) in.report.error(place_of(t), wrong, t.text, expected);
         found.good = found.good && wrong.empty();
         if (found.count < 3) v[found.count] = number.value;
         ++found.count;
@@ -84,13 +94,10 @@ std::optional<double> read_legacy_number(LegacyInput& in, const LegacyElementTyp
     if (value_is_missing(in, type, a, name)) return {};
     const LegacyToken t = in.tokens.next();
     const LegacyNumber number = parse_legacy_number(t.text);
-    std::string wrong(number.error);
-    if (wrong.empty()) {
-        if (a.minus_one && number.value == -1) return number.value;
-        if (legacy_in_range(a, number.value)) return number.value;
-        wrong = quote(name.text) + " out of range";
-    }
-    in.report.error(place_of(t), wrong, t.text, legacy_expectation(a));
+    std::string wrong(number.error), expected = legacy_expectation(a);
+    if (wrong.empty() && !(a.minus_one && number.value == -1)) wrong = range_fault(a, name, number.value, expected);
+    if (wrong.empty()) return number.value;
+    in.report.error(place_of(t), wrong, t.text, expected);
     return {};
 }
 

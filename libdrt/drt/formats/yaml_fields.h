@@ -13,6 +13,22 @@ using Keys = std::vector<std::string_view>;
 template <HasFields T>
 bool read_value(YamlContext&, const YamlNode&, const ScenePath&, const FieldInfo&, T&);
 
+/// Not made of other values.
+template <class V>
+inline constexpr bool is_single_value = !HasFields<V>;
+template <class V>
+inline constexpr bool is_single_value<std::optional<V>> = false;
+template <class V>
+inline constexpr bool is_single_value<std::vector<V>> = false;
+
+/// As read_value, and notes a single value that cannot be read.
+template <class V>
+bool read_or_note(YamlContext& context, const YamlNode& node, const ScenePath& at, const FieldInfo& info, V& value) {
+    const bool fine = read_value(context, node, at, info, value);
+    if (!fine && is_single_value<V>) context.sources.unread.insert(at.str());
+    return fine;
+}
+
 // ---- the keys of a struct ------------------------------------------------------------------------------------------
 
 template <class T, class M>
@@ -91,7 +107,7 @@ template <class V>
 bool read_value(YamlContext& context, const YamlNode& node, const ScenePath& at, const FieldInfo& info,
                 std::optional<V>& value) {
     V v{};
-    const bool fine = read_value(context, node, at, info, v);
+    const bool fine = read_or_note(context, node, at, info, v);
     if (fine) value = std::move(v);
     return fine;
 }
@@ -116,6 +132,7 @@ bool read_value(YamlContext& context, const YamlNode& node, const ScenePath& at,
                 std::vector<V>& list) {
     if (node.kind != YamlNode::Kind::list) {
         context.wrong_kind(node, info, "a list: `- ` before each item, or [] for none");
+        context.sources.unread.insert(at.str());
         return false;
     }
     context.note_place(at, node);
@@ -123,7 +140,7 @@ bool read_value(YamlContext& context, const YamlNode& node, const ScenePath& at,
     for (const YamlNode* item_node : node.items) {
         V item{};
         if constexpr (HasFields<V>) inherit(context, *item_node, list, item);
-        fine &= read_value(context, *item_node, at[list.size()], info, item);
+        fine &= read_or_note(context, *item_node, at[list.size()], info, item);
         list.push_back(std::move(item));
     }
     return fine;
@@ -134,7 +151,7 @@ bool read_value(YamlContext& context, const YamlNode& node, const ScenePath& at,
 template <class T, class M>
 void read_entry(YamlContext& context, const YamlNode& mapping, const ScenePath& at, T& object, const Field<T, M>& f) {
     if (const YamlNode* value = find_value(mapping, f.info.name))
-        read_value(context, *value, at / f.info.name, f.info, object.*f.member);
+        read_or_note(context, *value, at / f.info.name, f.info, object.*f.member);
     else if (f.info.presence == Presence::required)
         report_missing(context, mapping, f.info, f.info.doc);
 }
@@ -146,15 +163,16 @@ void read_entry(YamlContext& context, const YamlNode& mapping, const ScenePath& 
     if (!value) return;
     const ScenePath here = at / f.info.name;
     if (value->kind != YamlNode::Kind::mapping) {
-        read_value(context, *value, here / "start", f.info, object.*f.start);
+        read_or_note(context, *value, here / "start", f.info, object.*f.start);
         context.note_place(here, *value);
         return;
     }
     context.note_place(here, *value);
     check_unknown_keys(context, *value, {"start", "end"}, std::string(f.info.name));
     if (const YamlNode* start = find_value(*value, "start"))
-        read_value(context, *start, here / "start", f.info, object.*f.start);
-    if (const YamlNode* end = find_value(*value, "end")) read_value(context, *end, here / "end", f.info, object.*f.end);
+        read_or_note(context, *start, here / "start", f.info, object.*f.start);
+    if (const YamlNode* end = find_value(*value, "end"))
+        read_or_note(context, *end, here / "end", f.info, object.*f.end);
 }
 
 template <class T, class V>
@@ -169,11 +187,11 @@ void read_entry(YamlContext& context, const YamlNode& mapping, const ScenePath& 
         V value{};
         FieldInfo info = f.info;
         info.name = f.singular;
-        if (read_value(context, *one, here[0], info, value)) object.*f.member = {value};
+        if (read_or_note(context, *one, here[0], info, value)) object.*f.member = {value};
         context.note_place(here, *one);
     } else if (more) {
         (object.*f.member).clear();
-        read_value(context, *more, here, f.info, object.*f.member);
+        read_or_note(context, *more, here, f.info, object.*f.member);
     }
 }
 

@@ -5,34 +5,38 @@ namespace {
 
 // ---- degenerate shapes: what remains wrong when every single value is fine -----------------------------------------
 
-void check_shape(Report&, const ScenePath&, const Plane&) {}
-void check_shape(Report&, const ScenePath&, const Box&) {}
-void check_shape(Report&, const ScenePath&, const Disc&) {}
-void check_shape(Report&, const ScenePath&, const SphereSet&) {}
+void check_shape(Report&, const ScenePath&, const FineFields&, const Plane&) {}
+void check_shape(Report&, const ScenePath&, const FineFields&, const Box&) {}
+void check_shape(Report&, const ScenePath&, const FineFields&, const Disc&) {}
+void check_shape(Report&, const ScenePath&, const FineFields&, const SphereSet&) {}
 
-void check_shape(Report& report, const ScenePath& at, const Sphere& s) {
-    if (nearly_parallel(s.pole, s.meridian))
-        report.error(at / "meridian", "meridian is parallel to the pole", to_text(s.meridian),
-                     "a direction away from the axis " + to_text(s.pole));
+void check_shape(Report& report, const ScenePath& at, const FineFields& fine, const Sphere& s) {
+    if (fine(at / "pole", at / "meridian") && nearly_parallel(s.pole, s.meridian))
+        report.error(at / "meridian",
+                     report.name(at / "meridian", "meridian") + " is parallel to " + report.name(at / "pole", "pole"),
+                     to_text(s.meridian), "a direction away from the axis " + to_text(s.pole));
 }
 
-void check_shape(Report& report, const ScenePath& at, const Triangle& t) {
-    if (nearly_parallel(t.vertex1 - t.vertex0, t.vertex2 - t.vertex0))
+void check_shape(Report& report, const ScenePath& at, const FineFields& fine, const Triangle& t) {
+    if (fine(at / "vertex0", at / "vertex1", at / "vertex2") &&
+        nearly_parallel(t.vertex1 - t.vertex0, t.vertex2 - t.vertex0))
         report.error(at, "triangle without area", {}, "three points that are not on one line");
 }
 
-void check_shape(Report& report, const ScenePath& at, const Rectangle& r) {
-    if (nearly_parallel(r.vertex1 - r.vertex0, r.vertex2 - r.vertex0))
+void check_shape(Report& report, const ScenePath& at, const FineFields& fine, const Rectangle& r) {
+    if (fine(at / "vertex0", at / "vertex1", at / "vertex2") &&
+        nearly_parallel(r.vertex1 - r.vertex0, r.vertex2 - r.vertex0))
         report.error(at, "rectangle without area", {}, "three points that are not on one line");
 }
 
-void check_shape(Report& report, const ScenePath& at, const Parallelogram& p) {
-    if (nearly_parallel(p.edge0, p.edge1))
+void check_shape(Report& report, const ScenePath& at, const FineFields& fine, const Parallelogram& p) {
+    if (fine(at / "edge0", at / "edge1") && nearly_parallel(p.edge0, p.edge1))
         report.error(at / "edge1", "parallelogram without area", to_text(p.edge1),
                      "an edge that is not parallel to edge0 " + to_text(p.edge0));
 }
 
-void check_shape(Report& report, const ScenePath& at, const Cylinder& c) {
+void check_shape(Report& report, const ScenePath& at, const FineFields& fine, const Cylinder& c) {
+    if (!fine(at / "from", at / "to")) return;
     // relative to the coordinates: closer than their rounding is the same point
     const double scale = std::max(length(c.from), length(c.to));
     const double axis = length(c.to - c.from);
@@ -86,10 +90,10 @@ void check_bodies(Report& report, const SceneDesc& scene) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const Body& body = scene.bodies[i];
         const ScenePath at = list[i];
-        if (check_fields(report, at, body))
-            std::visit([&](const auto& shape) { check_shape(report, at, shape); }, body.shape);
+        const FineFields fine = check_fields(report, at, body);
+        std::visit([&](const auto& shape) { check_shape(report, at, fine, shape); }, body.shape);
         check_material_of(report, at, materials, body);
-        if (body.motion) check_motion(report, at / "motion", *body.motion);
+        if (body.motion) check_motion(report, at / "motion", *body.motion, fine);
         if (body.motion && std::holds_alternative<SphereSet>(body.shape))
             report.error(at / "motion", "a sphere_set cannot move", {}, "single spheres");
         if (body.physics) check_physics(report, at, body);

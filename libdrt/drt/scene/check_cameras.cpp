@@ -11,34 +11,45 @@ namespace {
 struct View {
     std::string_view when;  // "" or " at the end"
     Vec3d eye, target, up;
+    std::string_view which_up;  // "start" or "end"
+    bool eye_and_target_are_fine;
 };
 
-void check_view(Report& report, const ScenePath& at, const View& view) {
+void check_view(Report& report, const ScenePath& at, const View& view, const FineFields& fine) {
+    if (!view.eye_and_target_are_fine) return;
     const Vec3d direction = view.target - view.eye;
     // closer than the rounding of the coordinates is the same point
     const double scale = std::max(length(view.target), length(view.eye));
     const std::string when(view.when);
+    const ScenePath ups = at / "up", up = ups / view.which_up;
     if (length(direction) < 1e-30 || length(direction) < 1e-14 * scale)
         report.error(at / "targets", "the camera's target is its position" + when, to_text(view.target),
                      "a point away from the eye " + to_text(view.eye));
-    else if (nearly_parallel(direction, view.up))
-        report.error(at / "up", "up is parallel to the view" + when, to_text(view.up),
+    else if (fine(up) && nearly_parallel(direction, view.up))
+        report.error(up, report.name(up, "up") + " is parallel to the view" + when, to_text(view.up),
                      "a direction away from the view " + to_text(direction) + ", for example " +
                          to_text(std::abs(direction.y) > std::abs(direction.z) ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0}));
 }
 
-void check_views(Report& report, const ScenePath& at, const Camera& camera) {
-    const View start{"", camera.positions.front(), camera.targets.front(), camera.up_start};
-    check_view(report, at, start);
-    const View end{" at the end", camera.positions.back(), camera.targets.back(),
-                   camera.up_end.value_or(camera.up_start)};
+void check_views(Report& report, const ScenePath& at, const Camera& camera, const FineFields& fine) {
+    if (camera.positions.empty() || camera.targets.empty()) return;
+    const ScenePath eyes = at / "positions", targets = at / "targets";
+    const View start{"",      camera.positions.front(), camera.targets.front(), camera.up_start,
+                     "start", fine(eyes[0], targets[0])};
+    check_view(report, at, start, fine);
+    const View end{" at the end",
+                   camera.positions.back(),
+                   camera.targets.back(),
+                   camera.up_end.value_or(camera.up_start),
+                   camera.up_end ? "end" : "start",
+                   fine(eyes[camera.positions.size() - 1], targets[camera.targets.size() - 1])};
     const bool changes = !(end.eye == start.eye && end.target == start.target && end.up == start.up);
-    if (changes && camera.video_end && !camera.motion) check_view(report, at, end);
+    if (changes && camera.video_end && !camera.motion) check_view(report, at, end, fine);
 }
 
 // ---- time ----------------------------------------------------------------------------------------------------------
 
-void check_endless(Report& report, const ScenePath& at, const Camera& camera) {
+void check_endless(Report& report, const ScenePath& at, const Camera& camera, const FineFields& fine) {
     if (camera.positions.size() > 1)
         report.error(at / "positions", "several positions need a video_end", {},
                      "video_end, the time at which the curve ends");
@@ -46,7 +57,7 @@ void check_endless(Report& report, const ScenePath& at, const Camera& camera) {
         report.error(at / "targets", "several targets need a video_end", {},
                      "video_end, the time at which the curve ends");
     const auto warn = [&](const ScenePath& path, bool set) {
-        if (set) report.warning(path, "has no effect without a video_end");
+        if (set && fine(path)) report.warning(path, "has no effect without a video_end");
     };
     warn(at / "up" / "end", camera.up_end.has_value());
     warn(at / "fov_degrees" / "end", camera.fov_degrees_end.has_value());
@@ -54,9 +65,14 @@ void check_endless(Report& report, const ScenePath& at, const Camera& camera) {
     warn(at / "time_end", camera.time_end.has_value());
 }
 
-void check_interval(Report& report, const ScenePath& at, const Camera& camera) {
+bool interval_is_fine(const ScenePath& at, const FineFields& fine) {
+    return fine(at / "video_start", at / "video_end");
+}
+
+void check_interval(Report& report, const ScenePath& at, const Camera& camera, const FineFields& fine) {
+    if (!interval_is_fine(at, fine)) return;
     if (!camera.video_end)
-        check_endless(report, at, camera);
+        check_endless(report, at, camera, fine);
     else if (!(*camera.video_end > camera.video_start))
         report.error(at / "video_end", "the camera's video ends before it starts", to_text(*camera.video_end),
                      "more than video_start " + to_text(camera.video_start));
@@ -90,24 +106,22 @@ void check_overlaps(Report& report, const ScenePath& list, const SceneDesc& scen
 void check_cameras(Report& report, const SceneDesc& scene) {
     const ScenePath root, list = root / "cameras";
     check_unique_names(report, list, scene.cameras);
-    bool all_fine = true;
+    bool intervals_are_fine = true;
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
         const Camera& camera = scene.cameras[i];
         const ScenePath at = list[i];
-        if (camera.motion) check_motion(report, at / "motion", *camera.motion);
-        if (!check_fields(report, at, camera)) {
-            all_fine = false;
-            continue;
-        }
-        check_views(report, at, camera);
-        check_interval(report, at, camera);
+        const FineFields fine = check_fields(report, at, camera);
+        if (camera.motion) check_motion(report, at / "motion", *camera.motion, fine);
+        check_views(report, at, camera, fine);
+        check_interval(report, at, camera, fine);
+        intervals_are_fine = intervals_are_fine && interval_is_fine(at, fine);
         if (camera.motion && camera.positions.size() > 1)
             report.warning(at / "positions", "motion replaces the positions after the first");
         if (camera.motion && camera.targets.size() > 1)
             report.warning(at / "targets", "motion replaces the targets after the first");
     }
     if (scene.cameras.empty()) report.error(list, "the scene has no camera", {}, "at least one");
-    if (all_fine) check_overlaps(report, list, scene);
+    if (intervals_are_fine) check_overlaps(report, list, scene);
 }
 
 }  // namespace drt

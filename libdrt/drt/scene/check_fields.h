@@ -51,8 +51,8 @@ void check_entry(Report& report, const ScenePath& at, const T& object, const Sta
 template <class T, class V>
 void check_entry(Report& report, const ScenePath& at, const T& object, const OneOrMore<T, V>& f) {
     check_value(report, at / f.info.name, f.info, object.*f.member);
-    if ((object.*f.member).empty())
-        report.error(at / f.info.name, "no " + std::string(f.info.name), {}, "at least one");
+    if ((object.*f.member).empty() && !report.sources.is_unread((at / f.info.name).str()))
+        report.error(at / f.info.name, "no " + report.name(at / f.info.name, f.info.name), {}, "at least one");
 }
 
 template <class T, class Variant>
@@ -65,12 +65,35 @@ void check_value(Report& report, const ScenePath& at, const FieldInfo&, const T&
     for_each_field<T>([&](const auto& entry) { check_entry(report, at, object, entry); });
 }
 
-/// False when something is wrong: then checks of how values go together would only repeat it.
+/// Which values of an object are fine: read, and without an error. Checks of how values go together ask for those that
+/// they look at: told of a wrong one, they would only repeat that it is wrong; silent for any other, they would hide
+/// what they find.
+class FineFields {
+public:
+    /// By the errors from the first one given to the last one so far.
+    FineFields(const Report& report, std::size_t first)
+        : report_(report), first_(first), end_(report.error_paths.size()) {}
+
+    /// No error at these paths, inside of them, or of a list or struct that they are part of.
+    template <class... Path>
+    bool operator()(const Path&... at) const {
+        const bool all_are = first_ == end_ && report_.sources.unread.empty();
+        return all_are || (is_fine(at.str()) && ...);
+    }
+
+private:
+    bool is_fine(const std::string& path) const;
+
+    const Report& report_;
+    std::size_t first_, end_;
+};
+
+/// Checks every single value of the object.
 template <HasFields T>
-bool check_fields(Report& report, const ScenePath& at, const T& object) {
-    const std::size_t before = report.errors;
+FineFields check_fields(Report& report, const ScenePath& at, const T& object) {
+    const std::size_t before = report.error_paths.size();
     check_value(report, at, FieldInfo{}, object);
-    return report.errors == before;
+    return {report, before};
 }
 
 /// The elements of a list by name, for references to them.
@@ -87,7 +110,7 @@ public:
         const std::string kind(Fields<T>::name);
         report.error(at, "unknown " + kind, name,
                      elements_.empty() ? "a " + kind + " of this scene, which has none" : "the name of a " + kind,
-                     report.errors < most_suggestions ? nearest_word(name, names()) : std::string{});
+                     report.error_paths.size() < most_suggestions ? nearest_word(name, names()) : std::string{});
         return nullptr;
     }
 

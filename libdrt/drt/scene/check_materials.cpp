@@ -3,12 +3,12 @@
 namespace drt {
 namespace {
 
-void check_energy(Report& report, const ScenePath& at, const Material& m) {
+void check_energy(Report& report, const ScenePath& at, const Material& m, const FineFields& fine) {
     const double sum = m.reflectance + m.refraction;
-    if (sum > 1)
+    if (fine(at / "reflectance", at / "refraction") && sum > 1)
         report.warning(at / "reflectance", "reflectance + refraction gives out more light than comes in", to_text(sum),
                        "at most 1");
-    if (max_component(m.diffuse) > 1)
+    if (fine(at / "diffuse") && max_component(m.diffuse) > 1)
         report.warning(at / "diffuse", "diffuse gives out more light than comes in", to_text(m.diffuse),
                        "components of at most 1");
 }
@@ -20,7 +20,8 @@ void check_materials(Report& report, const SceneDesc& scene) {
     check_unique_names(report, list, scene.materials);
     const NameIndex textures(scene.textures);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        if (check_fields(report, list[i], scene.materials[i])) check_energy(report, list[i], scene.materials[i]);
+        const FineFields fine = check_fields(report, list[i], scene.materials[i]);
+        check_energy(report, list[i], scene.materials[i], fine);
         const std::string& texture = scene.materials[i].texture;
         if (!texture.empty()) textures.find(report, list[i] / "texture", texture);
     }

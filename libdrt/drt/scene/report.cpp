@@ -6,8 +6,8 @@ namespace drt {
 
 void Report::error(const ScenePath& at, std::string message, std::string text, std::string expected,
                    std::string suggestion) {
-    ++errors;
-    diagnostics.push_back({Severity::error, sources.find(at.str()), std::move(message), std::move(text),
+    error_paths.push_back(at.str());
+    diagnostics.push_back({Severity::error, sources.find(error_paths.back()), std::move(message), std::move(text),
                            std::move(expected), std::move(suggestion)});
 }
 

@@ -2,6 +2,7 @@
 // Collects what validate() finds. Internal to the scene room.
 
 #include <string>
+#include <vector>
 
 #include "drt/scene/scene_desc.h"
 #include "drt/scene/scene_path.h"
@@ -11,7 +12,10 @@ namespace drt {
 struct Report {
     const SourceMap& sources;
     Diagnostics diagnostics{};
-    std::size_t errors = 0;
+    std::vector<std::string> error_paths{};  ///< of each error
+
+    /// What the file calls the key at this path.
+    std::string name(const ScenePath& at, std::string_view key) const { return sources.name(at.str(), key); }
 
     void error(const ScenePath&, std::string message, std::string text = {}, std::string expected = {},
                std::string suggestion = {});
@@ -26,8 +30,10 @@ void check_bodies(Report&, const SceneDesc&);
 void check_lights(Report&, const SceneDesc&);
 void check_cameras(Report&, const SceneDesc&);
 
-/// Of a motion whose single values are in order: keys there, in ascending time, first without a turn.
-void check_motion(Report&, const ScenePath&, const Motion&);
+class FineFields;  // check_fields.h
+
+/// Of a motion whose single values have been checked: keys there, in ascending time, first without a turn.
+void check_motion(Report&, const ScenePath&, const Motion&, const FineFields&);
 
 /// Nearly parallel, or one of them null: their cross product would be rounding noise.
 bool nearly_parallel(const Vec3d&, const Vec3d&);

@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <variant>
 #include <vector>
 
@@ -271,11 +273,23 @@ struct RenderSettings {
 };
 
 /// Where the parts of a SceneDesc were written, keyed by path: "bodies[3]", "bodies[3].radius",
-/// "cameras[0].motion.keys[2].time". Two scenes are equal wherever they were written.
+/// "cameras[0].motion.keys[2].time"; and what the file calls them. Two scenes are equal wherever they were written.
 struct SourceMap {
     std::unordered_map<std::string, Location> places;
+    /// Values that were written but could not be read: they are at their defaults, from which nothing follows.
+    std::unordered_set<std::string> unread;
+    /// The file's words for keys, where they are others than SceneDesc's; keyed by path without numbers: "v_e" at
+    /// "bodies[].pole" in a legacy scene.
+    std::unordered_map<std::string, std::string> names;
+
     /// The place of `path`, or of the nearest enclosing path that is known, or an empty Location.
     Location find(std::string path) const;
+    /// The value at `path`, or something that it is part of, could not be read.
+    bool is_unread(std::string path) const;
+    void set_name(std::string_view path, std::string_view name);
+    /// The file's word for what stands at `path` and is called `key` otherwise. Items of a list, and the start and the
+    /// end of a value, go by the name of the whole if they have none of their own.
+    std::string name(std::string_view path, std::string_view key) const;
     friend bool operator==(const SourceMap&, const SourceMap&) { return true; }
 };
 

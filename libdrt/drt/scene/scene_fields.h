@@ -396,6 +396,7 @@ struct Fields<Filter> {
 };
 
 inline constexpr int largest_image_side = 65536;
+inline constexpr int largest_depth = 10000;
 inline constexpr std::int64_t largest_image_pixels = std::int64_t(1) << 28;
 
 template <>
@@ -410,7 +411,7 @@ struct Fields<RenderSettings> {
         field("fps", &RenderSettings::fps, "1 / s", ranges::positive, "frame k shows video time k / fps"),
         field("spp", &RenderSettings::spp, "", Range{.low = 1}, "samples per pixel"),
         field("seed", &RenderSettings::seed, "", ranges::any, "another seed, other noise"),
-        field("max_depth", &RenderSettings::max_depth, "", Range{.low = 0, .high = 10000},
+        field("max_depth", &RenderSettings::max_depth, "", Range{.low = 0, .high = largest_depth},
               "reflections and refractions in a row; 0 = none"),
         field("filter", &RenderSettings::filter, "", ranges::any, "pixel filter"),
     };

@@ -17,8 +17,8 @@ void check_globals(Report& report, const SceneDesc& scene) {
 void check_render(Report& report, const SceneDesc& scene) {
     const ScenePath root, at = root / "render";
     const RenderSettings& r = scene.render;
-    if (!check_fields(report, at, r)) return;
-    if (std::int64_t(r.width) * r.height > largest_image_pixels)
+    const FineFields fine = check_fields(report, at, r);
+    if (fine(at / "width", at / "height") && std::int64_t(r.width) * r.height > largest_image_pixels)
         report.error(at / "width", "too many pixels", to_text(r.width) + " x " + to_text(r.height),
                      "at most 2^28 = 268435456 in all");
 }
@@ -29,12 +29,12 @@ void check_textures(Report& report, const SceneDesc& scene) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i) check_fields(report, list[i], scene.textures[i]);
 }
 
-void check_motion(Report& report, const ScenePath& at, const Motion& motion) {
+void check_motion(Report& report, const ScenePath& at, const Motion& motion, const FineFields& fine) {
     const ScenePath keys = at / "keys";
     if (motion.keys.empty()) report.error(keys, "motion without keys", {}, "at least one");
     for (std::size_t i = 0; i < motion.keys.size(); ++i) {
         const MotionKey& key = motion.keys[i];
-        if (i > 0 && !(key.time > motion.keys[i - 1].time))
+        if (i > 0 && fine(keys[i] / "time", keys[i - 1] / "time") && !(key.time > motion.keys[i - 1].time))
             report.error(keys[i] / "time", "key times do not ascend", to_text(key.time),
                          "more than the previous key's " + to_text(motion.keys[i - 1].time));
         if (key.turn && i == 0)
