@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <fstream>
+#include <random>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -18,8 +20,6 @@ namespace drt {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view temporary_infix = ".tmp.";
 
 [[noreturn]] void throw_errno(const std::string& what, int code = errno) {
     throw std::system_error(code, std::generic_category(), what);
@@ -67,19 +67,31 @@ private:
     std::string path_;
 };
 
+/// The id of this boot of this kernel, which containers share with their host, and the pid namespace: what makes a
+/// process id unique. Without /proc it is a random number, which nobody else has, so nobody removes the temporary.
+std::string place_of_pids() {
+    std::string boot;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;  // 8-4-4-4-12 hexadecimal digits
+    std::error_code error;
+    const std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();  // "pid:[4026531836]"
+    const size_t digits = space.find_first_of("0123456789");
+    if (boot.size() == 36 && digits != std::string::npos)
+        return boot.substr(0, 8) + boot.substr(9, 4) + '-' + space.substr(digits, space.find(']') - digits);
+    static const std::string random = std::to_string(std::random_device()());
+    return "unknown-" + random;
+}
+
+/// `<file>.tmp.<place>.`, which the process id and a number follow.
+std::string temporary_prefix(const std::string& file) { return file + ".tmp." + place_of_pids() + '.'; }
+
 std::string temporary_name(const std::string& path) {
     static std::atomic<unsigned> counter = 0;
-    return path + std::string(temporary_infix) + std::to_string(::getpid()) + '.' + std::to_string(counter++);
+    return temporary_prefix(path) + std::to_string(::getpid()) + '.' + std::to_string(counter++);
 }
 
 std::string folder_of(const std::string& path) {
     const fs::path parent = fs::path(path).parent_path();
     return parent.empty() ? "." : parent.string();
-}
-
-/// Follows links, so that `rename` replaces the file and not the link to it.
-std::string resolve(const std::string& path) {
-    return fs::is_symlink(path) ? fs::weakly_canonical(path).string() : path;
 }
 
 void sync(const std::string& path, int flags) {
@@ -91,19 +103,26 @@ void sync(const std::string& path, int flags) {
 
 bool is_dead(long pid) { return pid > 0 && ::kill(pid_t(pid), 0) != 0 && errno == ESRCH; }
 
-/// The process in a file name `<name>.tmp.<pid>[.<n>]`, 0 when it is not such a name.
-long temporary_owner(std::string_view file, std::string_view name) {
-    if (!file.starts_with(name)) return 0;
-    file.remove_prefix(name.size());
-    if (!file.starts_with(temporary_infix)) return 0;
-    file.remove_prefix(temporary_infix.size());
+/// The process in a file name `<prefix><pid>.<n>`, 0 when it is not such a name.
+long temporary_owner(std::string_view file, std::string_view prefix) {
+    if (!file.starts_with(prefix)) return 0;
+    file.remove_prefix(prefix.size());
     int pid = 0;
     const auto [end, error] = std::from_chars(file.data(), file.data() + file.size(), pid);
-    const bool complete = end == file.data() + file.size() || *end == '.';
-    return error == std::errc{} && complete ? pid : 0;
+    return error == std::errc{} && end != file.data() + file.size() && *end == '.' ? pid : 0;
 }
 
 }  // namespace
+
+std::string follow_links(const std::string& path) {
+    constexpr int most_links = 40;  // as the kernel
+    fs::path target = path;
+    for (int links = 0; fs::is_symlink(target); ++links) {
+        if (links == most_links) throw_errno(path, ELOOP);
+        target = target.parent_path() / fs::read_symlink(target);
+    }
+    return target.string();
+}
 
 void write_bytes(const std::string& path, std::span<const unsigned char> bytes) {
     Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
@@ -118,7 +137,7 @@ void write_bytes(const std::string& path, std::span<const unsigned char> bytes) 
 
 void replace_file(const std::string& path, const std::function<void(const std::string&)>& write,
                   const std::function<void(const std::string&)>& verify) {
-    const std::string target = resolve(path);
+    const std::string target = follow_links(path);
     Temporary temporary(temporary_name(target));
     write(temporary.path());
     sync(temporary.path(), O_RDONLY);
@@ -135,18 +154,18 @@ void check_replaceable(const std::string& path) {
     } else if (errno != ENOENT) {
         throw_errno(path);
     }
-    const std::string target = resolve(path);
+    const std::string target = follow_links(path);
     sync(folder_of(target), O_RDONLY | O_DIRECTORY);
     const Temporary probe(temporary_name(target));
     Descriptor(probe.path(), O_WRONLY | O_CREAT | O_EXCL).close();
 }
 
 void remove_stale_temporaries(const std::string& path) {
-    const fs::path target = resolve(path);
-    const std::string name = target.filename().string();
+    const fs::path target = follow_links(path);
+    const std::string prefix = temporary_prefix(target.filename().string());
     std::error_code ignored;  // tidying up must not stop a render
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(target.string()), ignored))
-        if (is_dead(temporary_owner(entry.path().filename().string(), name))) fs::remove(entry.path(), ignored);
+        if (is_dead(temporary_owner(entry.path().filename().string(), prefix))) fs::remove(entry.path(), ignored);
 }
 
 }  // namespace drt
