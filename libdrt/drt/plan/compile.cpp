@@ -6,6 +6,7 @@
 #include "drt/plan/plan.h"
 #include "drt/plan/prepare.h"
 #include "drt/plan/tables.h"
+#include "drt/plan/texture_cache.h"
 
 namespace drt {
 
@@ -75,6 +76,11 @@ bool use_double(const PlanOptions& options, const std::string& reason) {
 }  // namespace
 
 RenderPlan compile(const SceneDesc& scene, const PlanOptions& options) {
+    TextureCache textures;
+    return compile(scene, options, textures);
+}
+
+RenderPlan compile(const SceneDesc& scene, const PlanOptions& options, TextureCache& textures) {
     RenderPlan plan;
     plan.width = scene.render.width;
     plan.height = scene.render.height;
@@ -85,7 +91,7 @@ RenderPlan compile(const SceneDesc& scene, const PlanOptions& options) {
     plan.features.double_precision = use_double(options, reason);
     if (options.general) plan.features = keep_everything(plan.features);
     plan.explanation = explain(scene, prepared, plan.features, reason);
-    SceneTables tables = build_tables(scene, options, plan.features, plan.notes);
+    SceneTables tables = build_tables(scene, options, plan.features, textures, plan.notes);
     if (plan.features.double_precision)
         plan.world = build_world<double>(scene, std::move(prepared), options, plan.features, std::move(tables));
     else

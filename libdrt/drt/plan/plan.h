@@ -32,8 +32,12 @@ struct RenderPlan {
     std::size_t memory = 0;  ///< bytes held by the world, Embree's included
 };
 
+class TextureCache;
+
 /// The scene must have passed validate(). Throws Error (usage: no camera records the frame; asset: a texture or a
-/// sphere set cannot be read; memory).
+/// sphere set cannot be read; memory). With a cache (texture_cache.h), textures are decoded for the first of several
+/// frames only.
+RenderPlan compile(const SceneDesc&, const PlanOptions&, TextureCache&);
 RenderPlan compile(const SceneDesc&, const PlanOptions&);
 
 }  // namespace drt

@@ -5,7 +5,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "drt/image/image.h"
+#include "drt/plan/texture_cache.h"
 
 namespace drt {
 
@@ -47,39 +47,30 @@ ReadOptions::Transfer transfer_of(Texture::ColorSpace c) {
 // Textures that some body wears; their number in SceneTables::textures, by name.
 using TextureIndex = std::unordered_map<std::string, int>;
 
-TextureMap load_texture(const SceneDesc& scene, size_t i, bool checker_if_missing, Diagnostics& notes,
-                        Diagnostics& errors) {
-    const Texture& t = scene.textures[i];
-    ReadOptions read;
-    read.transfer = transfer_of(t.color_space);
-    try {
-        return make_texture_map(read_image(t.file, read));
-    } catch (const Error& e) {
-        if (e.kind() != ErrorKind::asset) throw;
-        const Location place = scene.sources.find(fmt::format("textures[{}].file", i));
-        const Severity severity = checker_if_missing ? Severity::warning : Severity::error;
-        const std::string what = e.diagnostics().front().message;
-        (checker_if_missing ? notes : errors)
-            .push_back(
-                {severity, place,
-                 fmt::format("texture \"{}\": {}{}", t.name, what, checker_if_missing ? " (a checker stands in)" : ""),
-                 t.file, checker_if_missing ? "" : "an image file (--missing-textures checker renders without)", ""});
-        return make_missing_texture();
-    }
+Diagnostic unreadable(const SceneDesc& scene, size_t i, const std::string& problem, bool checker_stands_in) {
+    const Location place = scene.sources.find(fmt::format("textures[{}].file", i));
+    const std::string what = fmt::format("texture \"{}\": {}", scene.textures[i].name, problem);
+    if (checker_stands_in) return {Severity::warning, place, what + " (a checker stands in)", {}, {}, {}};
+    return {Severity::error, place, what, {}, "an image file (--missing-textures checker renders without)", {}};
 }
 
-TextureIndex load_textures(const SceneDesc& scene, const PlanOptions& options, SceneTables& tables,
+TextureIndex load_textures(const SceneDesc& scene, const PlanOptions& options, TextureCache& cache, SceneTables& tables,
                            Diagnostics& notes) {
     std::set<std::string> materials, wanted;
     for (const Body& b : scene.bodies) materials.insert(b.material);
     for (const Material& m : scene.materials)
         if (materials.contains(m.name)) wanted.insert(m.texture);
+    const bool checker = options.checker_for_missing_textures;
     TextureIndex index;
     Diagnostics errors;
     for (size_t i = 0; i < scene.textures.size(); ++i) {
-        if (!wanted.contains(scene.textures[i].name)) continue;
-        index.emplace(scene.textures[i].name, int(tables.textures.size()));
-        tables.textures.push_back(load_texture(scene, i, options.checker_for_missing_textures, notes, errors));
+        const Texture& t = scene.textures[i];
+        if (!wanted.contains(t.name)) continue;
+        const TextureCache::Entry& texture = cache.get(t.file, transfer_of(t.color_space));
+        index.emplace(t.name, int(tables.textures.maps.size()));
+        tables.textures.maps.push_back(texture.map);
+        if (!texture.problem.empty())
+            (checker ? notes : errors).push_back(unreadable(scene, i, texture.problem, checker));
     }
     if (!errors.empty()) throw Error(ErrorKind::asset, std::move(errors));
     return index;
@@ -108,11 +99,11 @@ void add_material(MaterialTable& t, const Material& m, const Color& ambient_ligh
 }  // namespace
 
 SceneTables build_tables(const SceneDesc& scene, const PlanOptions& options, const Features& features,
-                         Diagnostics& notes) {
+                         TextureCache& cache, Diagnostics& notes) {
     SceneTables tables;
     tables.filter = build_filter(scene.render.filter);
     TextureIndex textures;
-    if (features.textures) textures = load_textures(scene, options, tables, notes);
+    if (features.textures) textures = load_textures(scene, options, cache, tables, notes);
     tables.materials.ambient_light = scene.ambient_light;
     for (const Material& m : scene.materials) add_material(tables.materials, m, scene.ambient_light, textures);
     if (scene.materials.empty()) add_material(tables.materials, Material{}, scene.ambient_light, {});  // never read

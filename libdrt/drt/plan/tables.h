@@ -11,13 +11,13 @@ namespace drt {
 
 struct SceneTables {
     MaterialTable materials;
-    std::vector<TextureMap> textures;
+    SharedTextures textures;
     FilterTable filter;
 };
 
-/// Reads the textures that some material uses. A missing one is an Error (asset) naming its place in the scene, or, on
+/// Gets the textures that some material uses. A missing one is an Error (asset) naming its place in the scene, or, on
 /// request, a checker and a note.
-SceneTables build_tables(const SceneDesc&, const PlanOptions&, const Features&, Diagnostics& notes);
+SceneTables build_tables(const SceneDesc&, const PlanOptions&, const Features&, TextureCache&, Diagnostics& notes);
 
 template <class Real>
 SamplePlan plan_samples(const SceneDesc& scene, const PlanOptions& options, const Features& f, const World<Real>& w) {
@@ -43,7 +43,7 @@ std::size_t world_memory(const World<Real>& w) {
     std::size_t sum = bytes(b.centers) + bytes(b.motions) + bytes(b.pieces) + bytes(b.spheres) + bytes(b.flats) +
                       bytes(b.boxes) + bytes(b.cylinders) + bytes(b.planes) + bytes(w.body_material) +
                       bytes(w.body_emitter) + bytes(w.body_mapping) + bytes(w.mappings) + w.accel->memory();
-    for (const TextureMap& t : w.textures) sum += bytes(t.texels);
+    for (const auto& t : w.textures.maps) sum += bytes(t->texels);
     return sum;
 }
 

@@ -44,6 +44,12 @@ struct SamplePlan {
     float roulette_threshold = 0;
 };
 
+/// Textures by number. Other worlds may share them.
+struct SharedTextures {
+    std::vector<std::shared_ptr<const TextureMap>> maps;
+    const TextureMap& operator[](std::size_t i) const { return *maps[i]; }
+};
+
 template <class Real>
 struct World {
     using RealType = Real;
@@ -57,7 +63,7 @@ struct World {
     std::vector<Mapping<Real>> mappings;
     std::vector<Emitter> emitters;
     MaterialTable materials;
-    std::vector<TextureMap> textures;
+    SharedTextures textures;
     LightTable<Real> lights;
     CameraModel<Real> camera;
     View<Real> view;  ///< of a camera that stands still
