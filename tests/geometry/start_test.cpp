@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 
@@ -195,6 +196,45 @@ TEST(Start, PackingKeepsBodyPartAndSide) {
             for (const int outward : {0, 1}) {
                 const int s = start::pack(body, part, outward);
                 EXPECT_GE(s, 0);
+                EXPECT_EQ(start::body(s), body);
+                EXPECT_EQ(start::part(s), part);
+                EXPECT_EQ(start::outward(s), outward == 1);
+            }
+}
+
+// ---- the packed form -----------------------------------------------------------------------------------------------
+
+// Every field by its bits, whatever the others are: lanes without a hit hold anything, which must neither overflow (the
+// undefined-behaviour sanitizer looks on) nor carry into its neighbours.
+int packed_bits(int body, int part, int outward) {
+    const auto bits = [](int v) { return std::uint32_t(v); };
+    return int((bits(body) << 4) | (bits(part) << 1) | bits(outward));
+}
+
+constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
+constexpr int extremes[] = {least, least + 1, -2, -1, 0, 1, 2, 7, 8, 15, 16, (1 << 27) - 1, 1 << 27, most - 1, most};
+
+TEST(PackedStart, IsMadeOfTheBitsOfItsFields) {
+    using I = Pack<float>::I;
+    for (const int body : extremes)
+        for (const int part : extremes)
+            for (const int outward : extremes) {
+                const int expected = packed_bits(body, part, outward);
+                ASSERT_EQ(start::pack(body, part, outward), expected) << body << ' ' << part << ' ' << outward;
+                I lanes_of_body(0), lanes_of_part(0), lanes_of_outward(0);  // a hit beside lanes that hold anything
+                lanes_of_body[0] = body, lanes_of_part[0] = part, lanes_of_outward[0] = outward;
+                const I lanes = start::pack(lanes_of_body, lanes_of_part, lanes_of_outward);
+                ASSERT_EQ(int(lanes[0]), expected);
+                for (int i = 1; i < Pack<float>::width; ++i) ASSERT_EQ(int(lanes[i]), 0);
+            }
+}
+
+TEST(PackedStart, GivesItsFieldsBack) {
+    for (const int body : {0, 1, 12345, (1 << 27) - 1})
+        for (int part = 0; part < 6; ++part)
+            for (const int outward : {0, 1}) {
+                const int s = start::pack(body, part, outward);
+                EXPECT_NE(s, start::none);
                 EXPECT_EQ(start::body(s), body);
                 EXPECT_EQ(start::part(s), part);
                 EXPECT_EQ(start::outward(s), outward == 1);
