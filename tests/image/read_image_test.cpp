@@ -19,8 +19,11 @@ std::string asset_error(const std::string& path, const ReadOptions& options = {}
         read_image(path, options);
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), ErrorKind::asset) << e.what();
-        EXPECT_NE(std::string(e.what()).find(path), std::string::npos) << e.what();
-        return e.what();
+        const std::string text = e.what(), start = "error: cannot read image \"" + path + "\": ";
+        EXPECT_EQ(text.find(start), 0u) << text;
+        EXPECT_EQ(text.find(path, start.size()), std::string::npos) << "the path twice: " << text;
+        EXPECT_EQ(text.find_first_of("\r\n"), std::string::npos) << "several lines: " << text;
+        return text;
     }
     return {};
 }
@@ -94,6 +97,11 @@ TEST(ReadImage, MissingAndNotImages) {
     EXPECT_REASON(asset_error(folder.file("empty.png")), "empty");
     EXPECT_NE(asset_error(folder.file("text.tga")), "");
     EXPECT_NE(asset_error(folder.file("text.exr")), "");
+    for (const char* type : {"bmp", "fits", "ico", "jpg", "pic", "png", "psd", "rla", "tif", "webp", "yaml"}) {
+        const std::string path = folder.file(std::string("text.") + type);
+        write_text(path, "This is a text, not a picture at all.\n");
+        EXPECT_NE(asset_error(path), "") << type;
+    }
     EXPECT_REASON(asset_error(folder.file("dir.png")), "directory");
     EXPECT_REASON(asset_error(folder.file("pipe.png")), "not a regular file");
     EXPECT_REASON(asset_error("/dev/zero"), "not a regular file");

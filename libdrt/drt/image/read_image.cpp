@@ -1,6 +1,7 @@
 #include <OpenImageIO/imageio.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -23,10 +24,33 @@ constexpr int max_channels = 64;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::runtime_error(reason); }
 
-/// OpenImageIO strings several messages together, a line each; the first one names the cause.
-std::string first_line(std::string text, const std::string& otherwise) {
-    text = text.substr(0, text.find('\n'));
-    return text.empty() ? otherwise : text;
+[[noreturn]] void refuse(const std::string& reason, const std::string& otherwise) {
+    refuse(reason.empty() ? otherwise : reason);
+}
+
+/// A library's message as a reason. OpenImageIO strings several messages together, a line each, of which the first
+/// names the cause; and some of its plugins name the file, which the caller does, too.
+std::string plain_reason(std::string text, const std::string& path) {
+    text.erase(0, text.find_first_not_of(" \r\n"));
+    text.resize(std::min(text.find_first_of("\r\n"), text.size()));
+    text.resize(text.find_last_not_of(' ') + 1);
+    const std::string quoted = '"' + path + '"';
+    for (size_t at = text.find(quoted); at != std::string::npos; at = text.find(quoted))
+        text.replace(at, quoted.size(), "the file");
+    if (text.starts_with(path + ' ')) text.replace(0, path.size(), "the file");
+    return text.empty() ? "corrupt" : text;
+}
+
+/// Runs `decode`; what it throws comes with a plain reason.
+template <class Decode>
+Image with_plain_reasons(const std::string& path, Decode&& decode) {
+    try {
+        return decode();
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        refuse(plain_reason(e.what(), path));
+    }
 }
 
 /// Checked before any library opens the file: a pipe would block for ever, a device would never end.
@@ -66,12 +90,12 @@ std::unique_ptr<ImageInput> open_checked(const std::string& path, const std::str
     try {
         if (format.empty()) {
             input = ImageInput::open(path, &config);
-            if (!input) refuse(first_line(OIIO::geterror(), "not an image of any known format"));
+            if (!input) refuse(OIIO::geterror(), "not an image of any known format");
         } else {
             input = ImageInput::create(format);
-            if (!input) refuse(first_line(OIIO::geterror(), "unknown format " + format));
+            if (!input) refuse(OIIO::geterror(), "unknown format " + format);
             ImageSpec spec;
-            if (!input->open(path, spec, config)) refuse(first_line(input->geterror(), "cannot be opened"));
+            if (!input->open(path, spec, config)) refuse(input->geterror(), "cannot be opened");
         }
     } catch (const std::bad_alloc&) {
         refuse("its header asks for more memory than there is");
@@ -84,7 +108,7 @@ std::unique_ptr<ImageInput> open_checked(const std::string& path, const std::str
 void read_channels(ImageInput& input, int first, int last, float* out, int stride) {
     const bool ok = input.read_image(0, 0, first, last, OIIO::TypeFloat, out, OIIO::stride_t(sizeof(float)) * stride);
     // Truncated JPEG and TIFF files return true and only leave a message.
-    if (input.has_error()) refuse(first_line(input.geterror(), "corrupt"));
+    if (input.has_error()) refuse(input.geterror(), "corrupt");
     if (!ok) refuse("corrupt or truncated");
 }
 
@@ -163,15 +187,17 @@ Image reporting(const std::string& path, Decode&& decode) {
 }  // namespace
 
 Image decode_all_channels(const std::string& path, const std::string& format, const ReadOptions& options) {
-    const std::unique_ptr<ImageInput> input = open_checked(path, format, options);
-    const ImageSpec& spec = input->spec();
-    Image image(spec.width, spec.height, spec.nchannels);
-    read_channels(*input, 0, spec.nchannels, image.data.data(), spec.nchannels);
-    return image;
+    return with_plain_reasons(path, [&] {
+        const std::unique_ptr<ImageInput> input = open_checked(path, format, options);
+        const ImageSpec& spec = input->spec();
+        Image image(spec.width, spec.height, spec.nchannels);
+        read_channels(*input, 0, spec.nchannels, image.data.data(), spec.nchannels);
+        return image;
+    });
 }
 
 Image read_image(const std::string& path, const ReadOptions& options) {
-    return reporting(path, [&] { return decode_colors(path, options); });
+    return reporting(path, [&] { return with_plain_reasons(path, [&] { return decode_colors(path, options); }); });
 }
 
 Image read_image_raw(const std::string& path) {
