@@ -115,13 +115,13 @@ Metadata common_metadata(const OutputInfo& info, int spp, double seconds) {
             {"drt:isa", build_isa()},
             {"drt:precision", info.plan->features.double_precision ? "double" : "single"},
             {"drt:sceneHash", info.scene_hash},
-            {"drt:frame", fmt::format("{}", info.frame)},
-            {"drt:videoTime", fmt::format("{}", e.video_time)},
-            {"drt:sceneTime", fmt::format("{}", e.time0)},
-            {"drt:sceneTimeClose", fmt::format("{}", e.time1)},
-            {"drt:seed", fmt::format("{}", info.seed)},
-            {"drt:spp", fmt::format("{}", spp)},
-            {"drt:renderSeconds", fmt::format("{:.3f}", seconds)}};
+            {"drt:frame", info.frame},
+            {"drt:videoTime", e.video_time},
+            {"drt:sceneTime", e.time0},
+            {"drt:sceneTimeClose", e.time1},
+            {"drt:seed", double(info.seed)},
+            {"drt:spp", spp},
+            {"drt:renderSeconds", float(seconds)}};
 }
 
 }  // namespace
@@ -129,8 +129,8 @@ Metadata common_metadata(const OutputInfo& info, int spp, double seconds) {
 Metadata metadata(const OutputInfo& info, const RenderResult& r) {
     Metadata m = common_metadata(info, r.spp_done, r.seconds);
     if (r.error.valid) {
-        m.emplace_back("drt:rmse", fmt::format("{:.6g}", r.error.rmse));
-        m.emplace_back("drt:relativeError", fmt::format("{:.6g}", r.error.relative));
+        m.emplace_back("drt:rmse", float(r.error.rmse));
+        m.emplace_back("drt:relativeError", float(r.error.relative));
     }
     return m;
 }

@@ -25,7 +25,7 @@ protected:
 
 TEST_F(RenderFrames, HashesAreDigits) {
     EXPECT_EQ(run("a.####.exr", {"--frames", "0-4:2"}), (Names{"a.0000.exr", "a.0002.exr", "a.0004.exr"}));
-    EXPECT_EQ(exr_attributes(folder_.file("a.0002.exr"))["drt:frame"], "2");
+    EXPECT_EQ(exr_attributes(folder_.file("a.0002.exr"))["drt:frame"], MetadataValue(2));
     EXPECT_NE(read_image_raw(folder_.file("a.0000.exr")).data, read_image_raw(folder_.file("a.0002.exr")).data)
         << "each frame has its own noise";
 }
@@ -40,7 +40,7 @@ TEST_F(RenderFrames, WithoutATokenTheNumberIsInserted) {
 
 TEST_F(RenderFrames, OneFrameKeepsItsName) {
     EXPECT_EQ(run("a.exr", {"--frame", "7"}), Names{"a.exr"});
-    EXPECT_EQ(exr_attributes(folder_.file("a.exr"))["drt:frame"], "7");
+    EXPECT_EQ(exr_attributes(folder_.file("a.exr"))["drt:frame"], MetadataValue(7));
 }
 
 TEST_F(RenderFrames, AFrameAloneIsTheFrameAmongOthers) {

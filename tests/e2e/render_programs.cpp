@@ -1,7 +1,10 @@
 #include "render_programs.h"
 
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
@@ -42,11 +45,18 @@ Image render_exr(const TempFolder& folder, const std::string& name, std::vector<
     return r.exit_code == 0 ? read_image_raw(path) : Image();
 }
 
-std::map<std::string, std::string> exr_attributes(const std::string& path) {
+std::map<std::string, MetadataValue> exr_attributes(const std::string& path) {
     const Imf::InputFile file(path.c_str());
-    std::map<std::string, std::string> out;
-    for (auto i = file.header().begin(); i != file.header().end(); ++i)
-        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute())) out[i.name()] = text->value();
+    std::map<std::string, MetadataValue> out;
+    const auto take = [&out]<class T>(const std::string& name, const Imf::Attribute& attribute, T) {
+        if (const auto* typed = dynamic_cast<const Imf::TypedAttribute<T>*>(&attribute)) out[name] = typed->value();
+    };
+    for (auto i = file.header().begin(); i != file.header().end(); ++i) {
+        take(i.name(), i.attribute(), std::string());
+        take(i.name(), i.attribute(), int());
+        take(i.name(), i.attribute(), float());
+        take(i.name(), i.attribute(), double());
+    }
     return out;
 }
 

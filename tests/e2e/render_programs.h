@@ -28,8 +28,8 @@ ProcessResult render_in_shell(const std::string& command, const std::vector<std:
 /// Renders into <folder>/<name>.exr, expects success and returns the picture.
 Image render_exr(const TempFolder&, const std::string& name, std::vector<std::string> arguments);
 
-/// The string attributes of an EXR file.
-std::map<std::string, std::string> exr_attributes(const std::string& path);
+/// The texts and numbers among the attributes of an EXR file.
+std::map<std::string, MetadataValue> exr_attributes(const std::string& path);
 
 std::vector<std::string> files_in(const TempFolder&);
 

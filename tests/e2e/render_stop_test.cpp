@@ -31,7 +31,7 @@ protected:
         all.insert(all.end(), options.begin(), options.end());
         return all;
     }
-    int spp(const std::string& path) const { return std::stoi(exr_attributes(path)["drt:spp"]); }
+    int spp(const std::string& path) const { return std::get<int>(exr_attributes(path)["drt:spp"]); }
 
     /// Starts an endless render and returns when the first pass is done.
     std::unique_ptr<test::RunningProcess> start(std::vector<std::string> options = {}) {
@@ -60,7 +60,7 @@ TEST_F(RenderStops, AtTheTimeLimit) {
     ASSERT_EQ(r.exit_code, 0) << r.err;
     EXPECT_TRUE(contains(r.err, "time limit reached: "));
     EXPECT_GE(spp(out_), 1);
-    EXPECT_GE(std::stod(exr_attributes(out_)["drt:renderSeconds"]), 0.1);
+    EXPECT_GE(std::get<float>(exr_attributes(out_)["drt:renderSeconds"]), 0.1);
     EXPECT_LT(seconds, 20);
 }
 

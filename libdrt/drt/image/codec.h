@@ -23,7 +23,7 @@ std::string output_format(const std::string& path);
 /// Every extension that output_format knows, without the dot.
 std::vector<std::string> output_extensions();
 
-/// The bytes of an EXR file: scanlines, 32-bit float, ZIP, Rec. 709 chromaticities, `metadata` as string attributes.
+/// The bytes of an EXR file: scanlines, 32-bit float, ZIP, Rec. 709 chromaticities, `metadata` as attributes.
 std::vector<unsigned char> encode_exr(const Image&, const Metadata&);
 
 /// The bytes of a file in any other format.

@@ -1,8 +1,11 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfChromaticities.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
@@ -114,7 +117,8 @@ std::vector<unsigned char> encode_exr(const Image& image, const Metadata& metada
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709 with white D65
-    for (const auto& [name, value] : metadata) header.insert(name, Imf::StringAttribute(value));
+    for (const auto& [name, value] : metadata)
+        std::visit([&, &key = name](const auto& v) { header.insert(key, Imf::TypedAttribute(v)); }, value);
 
     Imf::FrameBuffer frame;
     const size_t pixel_bytes = size_t(image.channels) * sizeof(float);

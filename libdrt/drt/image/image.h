@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "drt/base/color.h"
@@ -36,7 +37,9 @@ Image read_image(const std::string& path, const ReadOptions& = {});
 /// All channels of an EXR as stored, for comparisons.
 Image read_image_raw(const std::string& path);
 
-using Metadata = std::vector<std::pair<std::string, std::string>>;
+/// Numbers that do not fit into 32 bits with their sign are double: EXR readers know no unsigned integers.
+using MetadataValue = std::variant<std::string, int, float, double>;
+using Metadata = std::vector<std::pair<std::string, MetadataValue>>;
 
 struct DisplayTransform {
     float exposure = 0;  ///< stops
@@ -44,7 +47,7 @@ struct DisplayTransform {
 };
 
 /// Writes RGBA (4 channels; alpha = coverage) linear float, by the file's extension: .exr as scene-linear float with
-/// `metadata` as string attributes; .png .bmp .jpg .tif .hdr .tga .ppm .webp .gif .dpx through OIIO:
+/// `metadata` as attributes of their types; .png .bmp .jpg .tif .hdr .tga .ppm .webp .gif .dpx through OIIO:
 /// .tif and .hdr as scene-linear float, all others as 8-bit RGB through `display`. Alpha is kept by EXR and TIFF;
 /// a picture for looking at is opaque. Three channels (RGB) are accepted too.
 ///
