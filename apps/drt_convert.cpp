@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "apps/command_line.h"
 #include "apps/exit_codes.h"
 #include "apps/legacy_options.h"
 #include "apps/standard_streams.h"
@@ -26,9 +27,8 @@ struct Arguments {
     LegacyOptions legacy;
 };
 
-void print(const Diagnostics& diagnostics, Severity least) {
-    for (const Diagnostic& d : diagnostics)
-        if (d.severity >= least) write_stderr(to_string(d) + '\n');
+void print(const Diagnostics& diagnostics) {
+    for (const Diagnostic& d : diagnostics) write_stderr(to_string(d) + '\n');
 }
 
 /// Files that the scene names and that are not there. Rendering needs them, converting does not.
@@ -90,7 +90,7 @@ void convert(const Arguments& args) {
     if (!to_stdout) check_not_input(args);
     SceneRead read = read_scene(args.input, args.legacy);
     warn_missing_textures(read);
-    if (!args.quiet) print(read.notes, Severity::note);
+    if (!args.quiet) print(read.notes);
     const fs::path folder = to_stdout ? fs::current_path() : fs::absolute(args.output).parent_path();
     const std::string text = write_yaml_scene(read.scene, folder.string(), header(args, read));
     if (to_stdout)
@@ -112,18 +112,14 @@ void add_arguments(CLI::App& app, Arguments& args) {
 
 int run(int argc, char** argv) {
     CLI::App app("Converts a scene to YAML, and says what it assumed.", "drt-convert");
+    let_last_option_win(app);
     Arguments args;
     add_arguments(app, args);
     try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? exit_ok : exit_usage;  // --help and --version come as exceptions, too
-    }
-    try {
-        convert(args);
+        if (parse_command_line(app, argc, argv)) convert(args);
         return exit_ok;
     } catch (const Error& e) {
-        print(e.diagnostics(), args.quiet ? Severity::error : Severity::warning);
+        print(e.diagnostics());
         return exit_code(e.kind());
     } catch (const std::bad_alloc&) {
         write_stderr("error: out of memory\n");

@@ -60,8 +60,10 @@ void Console::print_line(const std::string& line) {
 }
 
 void Console::print(const Diagnostics& ds) {
-    for (const Diagnostic& d : ds)
-        if (!quiet_ && (verbose_ || d.severity != Severity::note)) print_line(to_string(d));
+    for (const Diagnostic& d : ds) {
+        const bool shown = !quiet_ && (verbose_ || d.severity != Severity::note);
+        if (shown && printed_.insert(to_string(d)).second) print_line(to_string(d));
+    }
 }
 
 void Console::note(const std::string& line) {

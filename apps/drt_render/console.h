@@ -3,6 +3,7 @@
 // fails: nobody loses a picture because a log could not be written.
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "drt/render/render.h"
@@ -17,7 +18,7 @@ public:
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    /// Warnings always (unless quiet), notes when verbose.
+    /// Warnings always (unless quiet), notes when verbose; each once, though every frame may have it.
     void print(const Diagnostics&);
     void note(const std::string& line);     ///< unless quiet
     void verbose(const std::string& line);  ///< when verbose
@@ -32,6 +33,7 @@ private:
     ProgressStyle style_;
     std::unique_ptr<Bar> bar_;
     double last_line_ = 0;
+    std::set<std::string> printed_;
 };
 
 std::string explain_text(const Explanation&);

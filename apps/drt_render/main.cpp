@@ -11,6 +11,7 @@
 #include "apps/standard_streams.h"
 #include "console.h"
 #include "drt/plan/exposure.h"
+#include "drt/plan/texture_cache.h"
 #include "drt/render/render.h"
 #include "drt/scene/preview.h"
 #include "options.h"
@@ -29,8 +30,9 @@ SceneDesc apply(const RenderArguments& a, SceneDesc scene) {
     r.width = a.overrides.width.value_or(r.width);
     r.height = a.overrides.height.value_or(r.height);
     Diagnostics wrong = validate(scene);
+    std::erase_if(wrong, [](const Diagnostic& d) { return d.severity != Severity::error; });
     for (Diagnostic& d : wrong) d.where = {};  // the scene was valid: it is the command line's doing
-    if (has_errors(wrong)) throw Error(ErrorKind::usage, wrong);
+    if (!wrong.empty()) throw Error(ErrorKind::usage, wrong);
     return scene;
 }
 
@@ -40,13 +42,14 @@ struct Job {
     const SceneDesc& scene;
     Console& console;
     std::string hash;
+    TextureCache& textures;
 };
 
 RenderPlan plan_frame(const Job& job, int frame) {
     const RenderArguments& a = job.arguments;
     PlanOptions options = a.plan;
     options.frame = frame;
-    RenderPlan plan = compile(job.scene, options);
+    RenderPlan plan = compile(job.scene, options, job.textures);
     job.console.print(plan.notes);
     if (a.explain)
         write_stdout((a.frames.size() > 1 ? fmt::format("frame {}:\n", frame) : "") + explain_text(plan.explanation));
@@ -123,9 +126,8 @@ void run_frames(const Job& job) {
 
 int run_program(int argc, char** argv) {
     prepare_standard_streams();
-    int code = exit_ok;
-    const auto parsed = parse_arguments(argc, argv, &code);
-    if (!parsed) return code;
+    const auto parsed = parse_arguments(argc, argv);
+    if (!parsed) return exit_ok;
     const RenderArguments& a = *parsed;
     Console console(a.quiet, a.verbose, a.progress);
     const FileSet outputs = check_outputs(a);
@@ -133,7 +135,8 @@ int run_program(int argc, char** argv) {
     console.print(read.notes);
     const SceneDesc scene = apply(a, read.scene);
     check_textures_kept(outputs, scene);
-    run_frames({a, scene, console, scene_hash(scene)});
+    TextureCache textures;
+    run_frames({a, scene, console, scene_hash(scene), textures});
     if (received_signal() == SIGTERM) return exit_terminated;
     return received_signal() != 0 ? 128 + received_signal() : exit_ok;
 }

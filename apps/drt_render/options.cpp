@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <map>
-#include <sstream>
 
+#include "apps/command_line.h"
 #include "apps/legacy_options.h"
-#include "apps/standard_streams.h"
 #include "drt/base/version.h"
+#include "drt/scene/scene_fields.h"
 #include "frames.h"
 
 namespace drt {
@@ -29,15 +30,11 @@ std::optional<T> read_number(const std::string& text) {
 }
 
 template <class T>
-T to_number(const std::string& text, T least, T most, const std::string& option, const std::string& expected) {
-    const auto v = read_number<T>(text);
-    if (!v || !(*v >= least && *v <= most)) usage_error("bad value for " + option, text, expected);
-    return *v;
-}
-
-template <class T>
 T to_number(const std::string& text, T least, T most, const std::string& option) {
-    return to_number(text, least, most, option, fmt::format("a number from {} to {}", least, most));
+    const auto v = read_number<T>(text);
+    if (!v || !(*v >= least && *v <= most))
+        usage_error("bad value for " + option, text, fmt::format("a number from {} to {}", least, most));
+    return *v;
 }
 
 // "90", "90s", "1.5m", "2h" in seconds.
@@ -56,20 +53,25 @@ double parse_time_limit(const std::string& text) {
     return *seconds;
 }
 
-// What follows the last colon is the interval if it can be; "a:b.png" is a path.
+// What follows the last colon is the interval; but "a:b.png" and "a:b/c.png" are paths.
 Snapshot parse_snapshot(const std::string& text) {
     const size_t colon = text.rfind(':');
     if (colon == std::string::npos) return {text, 0};
-    const auto interval = read_duration(text.substr(colon + 1));
-    return interval ? Snapshot{text.substr(0, colon), *interval} : Snapshot{text, 0};
+    const std::string rest = text.substr(colon + 1);
+    if (const auto interval = read_duration(rest)) return {text.substr(0, colon), *interval};
+    if (rest.find_first_of("./") == std::string::npos)
+        usage_error("bad value for --snapshot", text, "FILE or FILE:SECONDS, such as preview.png:10");
+    return {text, 0};
 }
 
 void parse_resolution(const std::string& text, Overrides& o) {
-    const std::string expected = "WIDTHxHEIGHT in pixels, such as 640x480, each from 1 to 65536";
-    const size_t x = text.find('x');
-    if (x == std::string::npos) usage_error("bad value for --resolution", text, expected);
-    o.width = to_number(text.substr(0, x), 1, 65536, "--resolution", expected);
-    o.height = to_number(text.substr(x + 1), 1, 65536, "--resolution", expected);
+    const size_t x = std::min(text.find('x'), text.size());
+    o.width = read_number<int>(text.substr(0, x));
+    o.height = read_number<int>(text.substr(std::min(x + 1, text.size())));
+    const auto fits = [](const std::optional<int>& side) { return side && *side >= 1 && *side <= largest_image_side; };
+    if (!fits(o.width) || !fits(o.height))
+        usage_error("bad value for --resolution", text,
+                    fmt::format("WIDTHxHEIGHT in pixels, such as 640x480, each from 1 to {}", largest_image_side));
 }
 
 // The command line as text, before it is taken apart.
@@ -78,7 +80,8 @@ struct Texts {
     std::optional<std::string> frames, frame, time_limit, snapshot, resolution, spp, seed, max_depth, threads, exposure;
 };
 
-const char* const exit_codes =
+const char* const footer =
+    "An option given several times counts as given last, but for -o.\n"
     "Ctrl-C and SIGTERM finish the tiles at hand and write the picture; a second one ends the program at once.\n"
     "Exit codes: 0 done, 1 internal error, 2 wrong command line, 3 invalid scene, 4 input missing or unreadable,\n"
     "5 output not writable, 75 stopped by SIGTERM, 130 stopped by Ctrl-C";
@@ -89,6 +92,7 @@ void add_output_options(CLI::App& app, RenderArguments& a, Texts& t) {
                    "several times. #### or %04d becomes the frame number. Always a file: pictures replace their old "
                    "version at once when complete, so - (the standard output) is refused")
         ->option_text("FILE")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
     app.add_option("-r,--resolution", t.resolution, "Picture size in pixels")->option_text("WIDTHxHEIGHT");
     app.add_option("--exposure", t.exposure, "Stops, for display pictures (PNG, JPEG, BMP)")->option_text("STOPS");
@@ -140,14 +144,14 @@ void add_options(CLI::App& app, RenderArguments& a, Texts& t) {
     add_quality_options(app, t);
     add_run_options(app, a, t);
     add_legacy_options(app, a.legacy);
-    app.footer(exit_codes);
+    app.footer(footer);
 }
 
 void take_numbers(RenderArguments& a, const Texts& t) {
     Overrides& o = a.overrides;
     if (t.spp) o.spp = to_number(*t.spp, 1, 1 << 24, "--spp");
     if (t.seed) o.seed = to_number<std::uint32_t>(*t.seed, 0, ~std::uint32_t(0), "--seed");
-    if (t.max_depth) o.max_depth = to_number(*t.max_depth, 0, 10000, "--max-depth");
+    if (t.max_depth) o.max_depth = to_number(*t.max_depth, 0, largest_depth, "--max-depth");
     if (t.threads) a.threads = to_number(*t.threads, 0, 1024, "--threads");
     if (t.exposure) a.display.exposure = to_number(*t.exposure, -100.0f, 100.0f, "--exposure");
     if (t.time_limit) a.time_limit = parse_time_limit(*t.time_limit);
@@ -185,22 +189,13 @@ void take_texts(RenderArguments& a, const Texts& t) {
 
 }  // namespace
 
-std::optional<RenderArguments> parse_arguments(int argc, char** argv, int* code) {
+std::optional<RenderArguments> parse_arguments(int argc, char** argv) {
     CLI::App app{"Renders a scene to a picture by distributed ray tracing.", "drt-render"};
-    app.failure_message(CLI::FailureMessage::simple);
+    let_last_option_win(app);
     RenderArguments a;
     Texts t;
     add_options(app, a, t);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& e) {  // --help, --version
-        std::ostringstream text;
-        *code = app.exit(e, text, text);
-        write_stdout(text.str());
-        return {};
-    } catch (const CLI::ParseError& e) {
-        throw Error(ErrorKind::usage, e.what() + std::string("; --help lists the options"));
-    }
+    if (!parse_command_line(app, argc, argv)) return {};
     take_texts(a, t);
     return a;
 }

@@ -42,8 +42,8 @@ struct RenderArguments {
     LegacyOptions legacy;
 };
 
-/// Parses the command line. Returns nothing when all is said and done (--help, --version), with *code set; throws
-/// Error (usage) on anything wrong.
-std::optional<RenderArguments> parse_arguments(int argc, char** argv, int* code);
+/// Parses the command line. Returns nothing when all is said and done (--help, --version); throws Error (usage) on
+/// anything wrong.
+std::optional<RenderArguments> parse_arguments(int argc, char** argv);
 
 }  // namespace drt

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "drt/base/atomic_file.h"
 #include "drt/base/version.h"
 #include "frames.h"
 
@@ -40,9 +41,17 @@ public:
     }
 
 private:
+    static fs::path end_of_links(const fs::path& p) {
+        try {
+            return follow_links(p.string());
+        } catch (const std::system_error&) {
+            return p;
+        }
+    }
+
     static std::string canonical(const fs::path& p) {
         std::error_code ignored;  // a name that leads nowhere is its own
-        const fs::path found = fs::weakly_canonical(fs::absolute(p, ignored), ignored);
+        const fs::path found = fs::weakly_canonical(fs::absolute(end_of_links(p), ignored), ignored);
         return found.empty() ? p.string() : found.string();
     }
 

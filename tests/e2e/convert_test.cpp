@@ -134,7 +134,7 @@ TEST(Convert, WrongCommandLinesAreUsageErrors) {
     for (const auto& line : lines) {
         const ProcessResult r = convert(line);
         EXPECT_EQ(r.exit_code, 2) << testing::PrintToString(line) << '\n' << r.err;
-        EXPECT_NE(r.err, "");
+        EXPECT_EQ(r.err.find("error: "), 0u) << testing::PrintToString(line) << '\n' << r.err;
     }
     EXPECT_EQ(count_files(folder), 0u);
 }

@@ -11,8 +11,7 @@ RenderArguments parse(std::vector<std::string> arguments) {
     std::vector<char*> argv;
     for (std::string& a : arguments) argv.push_back(a.data());
     argv.push_back(nullptr);
-    int code = -1;
-    return parse_arguments(int(arguments.size()), argv.data(), &code).value();
+    return parse_arguments(int(arguments.size()), argv.data()).value();
 }
 
 TEST(ParseArguments, TakesOutputsAndTheSceneInAnyOrder) {
@@ -59,6 +58,40 @@ TEST(ParseArguments, ReadsSnapshots) {
     EXPECT_EQ(snapshot("a.png:2m").interval, 120);
     EXPECT_EQ(snapshot("C:a.png").path, "C:a.png");
     EXPECT_EQ(snapshot("C:a.png:5").path, "C:a.png");
+}
+
+TEST(ParseArguments, TheLastOfAnOptionCounts) {
+    const RenderArguments a = parse(
+        {"s.yaml", "-o",       "a.exr", "--spp",      "4",         "--plan", "general",   "-c",    "a",  "--spp=8",
+         "-r",     "1x1",      "-q",    "--plan",     "auto",      "-c",     "b",         "-q",    "-r", "3x2",
+         "--fov",  "distance", "--fov", "half-width", "--gravity", "0,1,2",  "--gravity", "3,4,5", "-o", "b.exr"});
+    EXPECT_EQ(a.overrides.spp, 8);
+    EXPECT_EQ(a.overrides.width, 3);
+    EXPECT_EQ(a.plan.camera, "b");
+    EXPECT_FALSE(a.plan.general);
+    EXPECT_TRUE(a.quiet);
+    EXPECT_EQ(a.legacy.fov, LegacyOptions::Fov::half_width);
+    EXPECT_EQ(a.legacy.gravity, (Vec3d{3, 4, 5}));
+    EXPECT_EQ(a.outputs, (std::vector<std::string>{"a.exr", "b.exr"}));
+}
+
+TEST(ParseArguments, SaysWhatIsWrong) {
+    const auto message = [](std::vector<std::string> line) -> std::string {
+        line.insert(line.begin(), {"s.yaml", "-o", "a.exr"});
+        try {
+            parse(line);
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "fine";
+    };
+    for (const std::string text : {"16x", "x16", "16", "", "65537x1"})
+        EXPECT_EQ(message({"-r", text}),
+                  "error: bad value for --resolution" + (text.empty() ? text : " \"" + text + '"') +
+                      "; expected WIDTHxHEIGHT in pixels, such as 640x480, each from 1 to 65536");
+    for (const std::string text : {"b.png:x", "b.png:-1", "b.png:", ":1s2"})
+        EXPECT_EQ(message({"--snapshot", text}), "error: bad value for --snapshot \"" + text +
+                                                     "\"; expected FILE or FILE:SECONDS, such as preview.png:10");
 }
 
 TEST(ParseArguments, RefusesWhatIsWrong) {

@@ -9,8 +9,17 @@ TEST(RenderUsage, WrongCommandLinesSayWhatIsWrongAndWriteNothing) {
     const std::string scene = folder.write("scene.yaml", small_scene);
     // One of each kind; the others are told apart by the same code, whose own test is ParseArguments.
     const std::vector<std::string> tails[] = {
-        {"--frobnicate"},     {"--spp", "0"},       {"--spp"},         {"-r", "65536x65536"},
-        {"--frames", "1,,2"}, {"--camera", "none"}, {"--fov", "wide"}, {"-o", "-"},
+        {"--frobnicate"},
+        {"--spp", "0"},
+        {"--spp"},
+        {"-r", "65536x65536"},
+        {"--frames", "1,,2"},
+        {"--camera", "none"},
+        {"--fov", "wide"},
+        {"-o", "-"},
+        {"-o", folder.file("b.xyz")},
+        {"-o", folder.file("b")},
+        {"--snapshot", folder.file("b.png:1.x")},
     };
     for (std::vector<std::string> line : tails) {
         line.insert(line.begin(), {scene, "-o", folder.file("a.exr")});

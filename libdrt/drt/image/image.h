@@ -53,11 +53,12 @@ struct DisplayTransform {
 ///
 /// Atomic: a temporary file in the same folder, fsync, re-opened and verified, then renamed; whatever fails leaves
 /// the old file as it was, removes the temporary and throws Error (output) with the reason (errno text).
-/// Non-finite values are refused (Error internal): the film never produces them.
+/// A name with an unknown extension is an Error (usage). Non-finite values are refused (Error internal): the film never
+/// produces them.
 void write_image(const std::string& path, const Image&, const Metadata& = {}, const DisplayTransform& = {});
 
-/// Throws Error (output) unless write_image(path) has a chance: known extension, existing writable folder, not a
-/// directory. Also removes temporaries that dead processes left for this path.
+/// Throws Error (usage) unless the extension is known, and Error (output) unless write_image(path) has a chance:
+/// existing writable folder, not a directory. Also removes temporaries that dead processes left for this path.
 void check_writable(const std::string& path);
 
 }  // namespace drt

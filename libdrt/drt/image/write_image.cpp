@@ -26,7 +26,7 @@ std::string known_format(const std::string& path) {
     Diagnostic diagnostic;
     diagnostic.message = prefix(path) + reason;
     diagnostic.expected = "one of " + known;
-    throw Error(ErrorKind::output, Diagnostics{diagnostic});
+    throw Error(ErrorKind::usage, Diagnostics{diagnostic});
 }
 
 void check_pixels(const std::string& path, const Image& image) {
