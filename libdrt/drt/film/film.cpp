@@ -32,13 +32,14 @@ constexpr int in_block(int x, int y) { return (x & 1) | (y & 1) << 1 | (x & 2) <
 constexpr size_t place_in_block(int x, int y) { return size_t(in_block(x & (block_side - 1), y & (block_side - 1))); }
 // In fixed point a value is exact above 1 and rounded once below, to the nearest: adding 1.5 * 2^52 to a double leaves
 // the integer in its low bits, which needs no conversion to 64-bit integers (AVX2 has none). Here with the bits of the
-// 1.5 * 2^52 still on top of it. D is double or lanes.
+// 1.5 * 2^52 still on top of it, to be subtracted in unsigned numbers, since several of them wrap around. D is double
+// or lanes.
 constexpr double magic = 6755399441055744.0;
-constexpr auto magic_bits = std::bit_cast<std::int64_t>(magic);
+constexpr auto magic_bits = std::bit_cast<std::uint64_t>(magic);
 
 template <class D>
-Rebind<D, std::int64_t> to_fixed_plus_magic(const D& v) {
-    return bits_as<Rebind<D, std::int64_t>>(D(v * D(fixed_point_scale) + D(magic)));
+Rebind<D, std::uint64_t> to_fixed_plus_magic(const D& v) {
+    return bits_as<Rebind<D, std::uint64_t>>(D(v * D(fixed_point_scale) + D(magic)));
 }
 
 // In lanes by hand: the compiler would go one by one, by its measure of cost here and for fear of overlap below.
@@ -59,10 +60,11 @@ void add_values(std::int64_t* sum, const float* first, std::ptrdiff_t stride, in
     constexpr int width = int(stdx::native_simd<double>::size());
     using D = Lane<double, width>;
     using I = Lane<std::int64_t, width>;
+    using U = Lane<std::uint64_t, width>;
     for (int i = 0; i < block_pixels; i += width) {
-        I total = load<I>(sum + i) - I(count * magic_bits);
+        U total = bits_as<U>(load<I>(sum + i)) - U(std::uint64_t(count) * magic_bits);
         for (int k = 0; k < count; ++k) total += to_fixed_plus_magic(D(first + k * stride + i, stdx::element_aligned));
-        store(total, sum + i);
+        store(bits_as<I>(total), sum + i);
     }
 }
 
@@ -116,7 +118,7 @@ void add_sample(Film& film, std::uint32_t sample, int x, int y, const std::array
     if (value != rgba) ++counters.clamped;
     FilmBlock& block = film.blocks[size_t(replicate_of(sample))][block_index(film, x, y)];
     const size_t i = place_in_block(x, y);
-    for (size_t c = 0; c < 4; ++c) block.rgba[c][i] += to_fixed_plus_magic(double(value[c])) - magic_bits;
+    for (size_t c = 0; c < 4; ++c) block.rgba[c][i] += std::int64_t(to_fixed_plus_magic(double(value[c])) - magic_bits);
     ++block.samples[i];
 }
 
