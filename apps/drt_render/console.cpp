@@ -137,13 +137,15 @@ std::string faults(const RenderCounters& c) {
 
 }  // namespace
 
-std::string summary(const RenderPlan& plan, const RenderResult& r, bool verbose) {
+std::string summary(const RenderResult& r, bool verbose) {
     std::string out = fmt::format("{}: {} spp in {:.2f} s", describe(r.stopped_by), r.spp_done, r.seconds);
     if (r.error.valid)
         out += fmt::format(", estimated error {:.3g} % (RMSE {:.3g})", 100 * r.error.relative, r.error.rmse);
     out += '\n' + rays_line(r);
-    out += fmt::format("\nmemory: scene {:.1f} MB, film {:.1f} MB", double(plan.memory) * 1e-6,
-                       double(r.film.memory()) * 1e-6);
+    const auto mb = [](std::size_t bytes) { return double(bytes) * 1e-6; };
+    const MemoryEstimate& m = r.memory;
+    out += fmt::format("\nmemory: {:.1f} MB (scene {:.1f}, film {:.1f}, picture {:.1f}, batches {:.1f})", mb(m.total()),
+                       mb(m.scene), mb(m.film), mb(m.picture), mb(m.batches));
     if (verbose) out += '\n' + stages_line(r);
     return out + faults(r.counters);
 }

@@ -39,6 +39,6 @@ private:
 std::string explain_text(const Explanation&);
 
 /// Samples, estimated error, rays by kind, rays per second, time per stage, memory.
-std::string summary(const RenderPlan&, const RenderResult&, bool verbose);
+std::string summary(const RenderResult&, bool verbose);
 
 }  // namespace drt

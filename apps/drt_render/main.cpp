@@ -107,7 +107,7 @@ void render_frame(const Job& job, int frame) {
         return;
     }
     write_outputs(job, info, result);
-    job.console.note(summary(plan, result, a.verbose));
+    job.console.note(summary(result, a.verbose));
 }
 
 void run_frames(const Job& job) {
