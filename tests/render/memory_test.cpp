@@ -33,12 +33,19 @@ void release(void* p) {
 }  // namespace
 
 void* operator new(std::size_t n) { return counted(std::malloc(n)); }
+void* operator new(std::size_t n, const std::nothrow_t&) noexcept { return counted(std::malloc(n)); }
+void* operator new[](std::size_t n) { return counted(std::malloc(n)); }
+void* operator new[](std::size_t n, const std::nothrow_t&) noexcept { return counted(std::malloc(n)); }
 void* operator new(std::size_t n, std::align_val_t a) {
     const auto align = std::size_t(a);
     return counted(std::aligned_alloc(align, (n + align - 1) / align * align));
 }
 void operator delete(void* p) noexcept { release(p); }
 void operator delete(void* p, std::size_t) noexcept { release(p); }
+void operator delete(void* p, const std::nothrow_t&) noexcept { release(p); }
+void operator delete[](void* p) noexcept { release(p); }
+void operator delete[](void* p, std::size_t) noexcept { release(p); }
+void operator delete[](void* p, const std::nothrow_t&) noexcept { release(p); }
 void operator delete(void* p, std::align_val_t) noexcept { release(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { release(p); }
 

@@ -187,8 +187,10 @@ RenderResult render(const RenderPlan& plan, const RenderOptions& options, const 
     RenderResult result;
     result.threads = arena.max_concurrency();
     result.memory = estimate_memory(plan, result.threads);
-    if (const auto available = options.memory_limit ? options.memory_limit : available_memory())
-        check_memory(plan, result.memory, *available);
+    if (options.memory_limit)
+        check_memory(plan, result.memory, *options.memory_limit);
+    else if (const auto available = available_memory())  // a tenth is left to others, and to writing the picture
+        check_memory(plan, result.memory, *available / 10 * 9);
     result.film = Film(plan.width, plan.height);
     arena.execute([&] {
         std::visit(

@@ -18,7 +18,7 @@ struct RenderOptions {
     double time_limit = 0;  ///< seconds; 0 = none. At least one sample per pixel is taken whatever the limit.
     int threads = 0;        ///< 0 = all
     int tile_size = 32;     ///< pixels; a power of two. The picture does not depend on it.
-    std::optional<std::size_t> memory_limit;  ///< bytes that may be allocated; none: what the system has available
+    std::optional<std::size_t> memory_limit;  ///< bytes that may be allocated; none: nine tenths of what is available
     const std::atomic<bool>* stop = nullptr;  ///< set from outside: finish the tiles at hand and return
 };
 
