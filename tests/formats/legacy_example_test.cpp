@@ -7,6 +7,7 @@
 
 #include "drt/base/constants.h"
 #include "drt/formats/formats.h"
+#include "drt/scene/mass.h"
 
 namespace drt {
 namespace {
@@ -65,7 +66,9 @@ SceneDesc expected_example() {
     s.textures = {{"BallRed", DRT_TEST_DATA "/textures/ball_red.tga", Texture::ColorSpace::automatic}};
     s.materials = {ball_material(), table_material()};
     Body ball{"BallRed", Sphere{{60, 3.8, 54.5}, 4, {0, 1, 0}, {1, 0, 1}}, "BallRed", {}, PhysicsDesc{}};
-    ball.physics->impulses = {{0.1, {5000, 0, 0}}};
+    s.gravity = {0, -9.81, 0};
+    ball.physics->density = 1;
+    ball.physics->impulses = {{0.1, {5000, 0, 0}, {}}};
     Body table{"ground", Box{{100, -2.5, 50}, {200, 5, 100}, {}}, "BilliardTable", {}, PhysicsDesc{}};
     table.physics->kind = PhysicsDesc::Kind::fixed;
     s.bodies = {ball, table};
@@ -82,6 +85,13 @@ TEST(LegacyExample, IsExactlyTheDocumentedScene) {
     EXPECT_EQ(got.bodies, want.bodies);
     EXPECT_EQ(got.cameras, want.cameras);
     EXPECT_TRUE(got == want);
+}
+
+// model.md section 6: the ball of radius 4 leaves the blow with 18.7 units / s.
+TEST(LegacyExample, BlowIsAsStrongAsDocumented) {
+    const Body ball = read_legacy_scene(example).scene.bodies[0];
+    const double speed = length(ball.physics->impulses[0].impulse) / mass_properties(ball.shape, *ball.physics)->mass;
+    EXPECT_NEAR(speed, 18.65, 0.005);
 }
 
 TEST(LegacyExample, KnowsWhereThingsWereWritten) {
@@ -103,7 +113,8 @@ TEST(LegacyExample, TellsEveryDefaultAndAssumption) {
     for (const char* words :
          {":16:1: note: default used: phong_info diffuse_refraction = 0 (BallRed, BilliardTable)",
           "warning: the scene has no lights", "assumed: angle of view = 2 atan(FOV / 2)", "assumed: gravity 0 -9.81 0",
-          "assumed: density 1", "assumed: impulse = force * 0.05 s", "assumed: ambient light 0.12", "spp = 576",
+          "assumed: density 1", "assumed: restitution 0, friction 0.5, of every body",
+          "assumed: impulse = force * 0.05 s", "assumed: ambient light 0.12", "spp = 576",
           "dropped: soft_shadow_samples", "dropped: diffuse_reflection_samples",
           "diffuse_refraction_samples is 0: refractions are sharp", "boxes with use_physics stay"})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\nnot in\n" << text;

@@ -228,11 +228,14 @@ TEST(LegacyBody, Physics) {
     const PhysicsDesc& a = *r.scene.bodies[0].physics;
     EXPECT_EQ(a.kind, PhysicsDesc::Kind::dynamic);
     ASSERT_EQ(a.impulses.size(), 2u);
-    EXPECT_EQ(a.impulses[0], (ImpulseEvent{0.5, Vec3d{1, 2, 4} * 0.05}));
-    EXPECT_EQ(a.impulses[1], (ImpulseEvent{1, Vec3d{8, 0, 0} * 0.05}));
+    EXPECT_EQ(a.impulses[0], (ImpulseEvent{0.5, Vec3d{1, 2, 4} * 0.05, {}}));
+    EXPECT_EQ(a.impulses[1], (ImpulseEvent{1, Vec3d{8, 0, 0} * 0.05, {}}));
     EXPECT_FALSE(r.scene.bodies[1].physics);
     EXPECT_TRUE(says(r, "add_force_event without effect"));
-    EXPECT_EQ(r.scene.bodies[2].physics->kind, PhysicsDesc::Kind::fixed);
+    EXPECT_EQ(a.density, 1);
+    PhysicsDesc in_the_way;
+    in_the_way.kind = PhysicsDesc::Kind::fixed;
+    EXPECT_EQ(r.scene.bodies[2].physics, in_the_way);
     EXPECT_FALSE(r.scene.bodies[3].physics);
 }
 

@@ -129,6 +129,18 @@ void fill_motion(Motion& motion) {
     motion.keys[0].turn.reset();
 }
 
+void make_valid(Filler& filler, Body& body) {
+    PhysicsDesc& physics = *body.physics;
+    using Kind = PhysicsDesc::Kind;
+    const bool is_solid = std::holds_alternative<Sphere>(body.shape) || std::holds_alternative<Box>(body.shape) ||
+                          std::holds_alternative<Cylinder>(body.shape);
+    if (physics.kind == Kind::dynamic && !is_solid) physics.kind = Kind::kinematic;
+    if (std::holds_alternative<Plane>(body.shape)) physics.kind = Kind::fixed;
+    if (physics.kind != Kind::kinematic) body.motion.reset();
+    if (physics.mass && physics.density) (filler.chance(0.5) ? physics.mass : physics.density).reset();
+    for (ForceEvent& force : physics.forces) force.until = force.from + 0.1 + 10 * filler.unit();
+}
+
 void make_valid(Filler& filler, SceneDesc& scene) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i) scene.textures[i].name = name_of(filler, "t", i);
     if (scene.materials.empty()) scene.materials.resize(1);
@@ -145,8 +157,9 @@ void make_valid(Filler& filler, SceneDesc& scene) {
             scene.materials[material].texture = scene.textures.back().name;
         if (is_set) body.motion.reset(), body.physics.reset();
         if (body.motion) fill_motion(*body.motion);
-        if (body.physics && std::holds_alternative<Plane>(body.shape)) body.physics->kind = PhysicsDesc::Kind::fixed;
+        if (body.physics) make_valid(filler, body);
     }
+    if (scene.simulation.end) scene.simulation.end = scene.simulation.start + 0.1 + 10 * filler.unit();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         Light& light = scene.lights[i];
         if (filler.chance(0.7)) light.name = name_of(filler, "l", i);

@@ -144,7 +144,7 @@ TEST(YamlIncludes, IncludedFilesHaveTheirOwnVersionAndFaults) {
         "c.yaml: error: the file is empty; expected `drt: 1` and a scene\n"
         "scene.yaml:2:35: error: include is a list; expected names of files\n"
         "scene.yaml:3:1: error: unknown key \"foo\"; expected a key of scene: drt, include, render, ambient_light, "
-        "background, gravity, textures, materials, bodies, lights, cameras");
+        "background, units, gravity, simulation, textures, materials, bodies, lights, cameras");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ SceneDesc read_back(const SceneDesc& scene) {
 TEST(YamlRoundTrip, SmallestScene) {
     SceneDesc scene;
     scene.cameras.resize(1);
-    EXPECT_EQ(write_yaml_scene(scene, ""), "drt: 1\ngravity: [0, -9.81, 0]\n\ncameras:\n  - {}\n");
+    EXPECT_EQ(write_yaml_scene(scene, ""), "drt: 1\n\ncameras:\n  - {}\n");
     EXPECT_EQ(read_back(scene), scene);
 }
 
@@ -60,7 +60,6 @@ TEST(YamlRoundTrip, LooksAsAPersonWouldWriteIt) {
               "    kind: gaussian\n"
               "    radius: 2\n"
               "ambient_light: 0.12\n"
-              "gravity: [0, -9.81, 0]\n"
               "\n"
               "materials:\n"
               "  - name: \"red paint\"\n"
@@ -105,9 +104,62 @@ TEST(YamlRoundTrip, EveryShapeAndLightAtItsDefaults) {
         scene.lights.back().shape = A{};
     });
     scene.cameras.resize(1);
-    scene.bodies[0].physics = PhysicsDesc{PhysicsDesc::Kind::fixed, 1, {}};
+    scene.bodies[0].physics.emplace().kind = PhysicsDesc::Kind::fixed;
     scene.bodies[1].physics.emplace();  // there, with nothing but defaults
     scene.cameras[0].motion = Motion{{}, {MotionKey{}}};
+    EXPECT_EQ(read_back(scene), scene);
+}
+
+TEST(YamlRoundTrip, PhysicsLooksAsAPersonWouldWriteIt) {
+    SceneDesc scene;
+    scene.units = 100;
+    scene.gravity = {0, -981, 0};
+    scene.simulation.end = 2.5;
+    scene.simulation.tolerance = 0.01;
+    scene.materials.resize(1);
+    scene.materials[0].name = "m";
+    scene.bodies = {{"ball", Sphere{}, "m", {}, PhysicsDesc{}}, {"table", Box{}, "m", {}, PhysicsDesc{}}};
+    PhysicsDesc& ball = *scene.bodies[0].physics;
+    ball.mass = 170;
+    ball.restitution = 0.9;
+    ball.angular_velocity_degrees = {0, 0, -720};
+    ball.impulses = {{0.1, {5, 0, 0}, {}}, {0.2, {0, 0, 1}, Vec3d{0, 0.5, 0}}};
+    ball.forces = {{1, 1.5, {0, 3, 0}}};
+    scene.bodies[1].physics->kind = PhysicsDesc::Kind::fixed;
+    scene.cameras.resize(1);
+    EXPECT_EQ(write_yaml_scene(scene, ""),
+              "drt: 1\n"
+              "units: 100\n"
+              "gravity: [0, -981, 0]\n"
+              "\n"
+              "simulation:\n"
+              "  end: 2.5\n"
+              "  tolerance: 0.01\n"
+              "\n"
+              "materials:\n"
+              "  - name: m\n"
+              "\n"
+              "bodies:\n"
+              "  - name: ball\n"
+              "    type: sphere\n"
+              "    material: m\n"
+              "    physics:\n"
+              "      mass: 170\n"
+              "      restitution: 0.9\n"
+              "      angular_velocity_degrees: [0, 0, -720]\n"
+              "      impulses:\n"
+              "        - {time: 0.1, impulse: [5, 0, 0]}\n"
+              "        - {time: 0.2, impulse: [0, 0, 1], at: [0, 0.5, 0]}\n"
+              "      forces:\n"
+              "        - {from: 1, until: 1.5, force: [0, 3, 0]}\n"
+              "  - name: table\n"
+              "    type: box\n"
+              "    material: m\n"
+              "    physics:\n"
+              "      kind: static\n"
+              "\n"
+              "cameras:\n"
+              "  - {}\n");
     EXPECT_EQ(read_back(scene), scene);
 }
 

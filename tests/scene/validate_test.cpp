@@ -1,65 +1,10 @@
 // Every fault that validate() knows, as one change to a scene that is fine, with the whole message it must give.
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <functional>
-#include <limits>
 
-#include "drt/scene/scene_desc.h"
+#include "scene/validate_cases.h"
 
 namespace drt {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
-
-SceneDesc valid_scene() {
-    SceneDesc s;
-    s.textures = {{"wood", "wood.png", {}}};
-    s.materials.resize(2);
-    s.materials[0].name = "red";
-    s.materials[1].name = "planks";
-    s.materials[1].texture = "wood";
-    s.bodies.resize(2);
-    s.bodies[0] = {"ball", Sphere{}, "red", {}, {}};
-    s.bodies[1] = {"floor", Plane{}, "planks", {}, {}};
-    s.lights.resize(1);
-    s.lights[0] = {"sun", RectLight{}, Color{1.0f}, Light::Falloff::inverse_square, true};
-    s.cameras.resize(1);
-    s.cameras[0].name = "main";
-    return s;
-}
-
-Motion two_keys() {
-    Motion m;
-    m.keys.resize(2);
-    m.keys[1].time = 1;
-    return m;
-}
-
-struct Case {
-    std::string name;
-    std::function<void(SceneDesc&)> change;
-    std::vector<std::string> messages;  ///< each "path: severity: message..."
-};
-
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
-
-// Each path that a message names is given a place of its own, so that a message which names another one fails.
-Diagnostics validate_with_places(SceneDesc& scene, const std::vector<std::string>& messages) {
-    scene.sources.places[""] = {"scene", 0, 0};
-    for (const std::string& m : messages) {
-        const std::string path = m.substr(0, m.find(": "));
-        if (path != "scene") scene.sources.places[path] = {path, 0, 0};
-    }
-    return validate(scene);
-}
-
-std::vector<std::string> texts(const Diagnostics& diagnostics) {
-    std::vector<std::string> out;
-    for (const Diagnostic& d : diagnostics) out.push_back(to_string(d));
-    return out;
-}
 
 class Validate : public testing::TestWithParam<Case> {};
 
@@ -107,10 +52,12 @@ const std::vector<Case> render_cases{
      [](SceneDesc& s) {
          s.ambient_light = Color{-1.0f};
          s.background = Color{0, float(nan), 0};
+         s.units = 0;
          s.gravity = {0, -inf, 0};
      },
      {"ambient_light: error: ambient_light is out of range \"-1\"; expected a colour of numbers >= 0",
       "background: error: background is not finite \"[0, nan, 0]\"; expected a colour of numbers >= 0",
+      "units: error: units is out of range \"0\"; expected a number > 0",
       "gravity: error: gravity is not finite \"[0, -inf, 0]\"; expected three numbers"}},
 };
 
@@ -317,24 +264,6 @@ const std::vector<Case> body_cases{
     {"set_moving",
      [](SceneDesc& s) { s.bodies[0].shape = SphereSet{"balls.txt"}, s.bodies[0].motion = two_keys(); },
      {"bodies[0].motion: error: a sphere_set cannot move; expected single spheres"}},
-    {"set_falling",
-     [](SceneDesc& s) { s.bodies[0].shape = SphereSet{"balls.txt"}, s.bodies[0].physics.emplace(); },
-     {"bodies[0].physics: error: a sphere_set cannot take part in the simulation; expected single spheres"}},
-    {"plane_falling",
-     [](SceneDesc& s) { s.bodies[1].physics.emplace(); },
-     {"bodies[1].physics.kind: error: an infinite plane cannot move \"dynamic\"; expected fixed"}},
-    {"weightless",
-     [](SceneDesc& s) {
-         s.bodies[0].physics = PhysicsDesc{PhysicsDesc::Kind::dynamic, 0, {{nan, {inf, 0, 0}}}};
-     },
-     {"bodies[0].physics.density: error: density is out of range \"0\"; expected a number > 0",
-      "bodies[0].physics.impulses[0].time: error: time is not finite \"nan\"; expected a number",
-      "bodies[0].physics.impulses[0].impulse: error: impulse is not finite \"[inf, 0, 0]\"; expected three numbers"}},
-    {"impulse_on_fixed",
-     [](SceneDesc& s) {
-         s.bodies[0].physics = PhysicsDesc{PhysicsDesc::Kind::fixed, 1, {{0, {1, 0, 0}}}};
-     },
-     {"bodies[0].physics.impulses: warning: impulses have no effect on a fixed body"}},
 };
 
 const std::vector<Case> motion_cases{
@@ -598,8 +527,6 @@ const std::vector<Case> together_cases{
      [](SceneDesc& s) { s.bodies[0].motion = two_keys(), s.bodies[0].motion->keys[0].time = nan; },
      {"bodies[0].motion.keys[0].time: error: time is not finite \"nan\"; expected a number"}},
 };
-
-std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Render, Validate, testing::ValuesIn(render_cases), case_name);
 INSTANTIATE_TEST_SUITE_P(Materials, Validate, testing::ValuesIn(material_cases), case_name);

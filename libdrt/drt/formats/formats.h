@@ -32,9 +32,8 @@ SceneRead read_yaml_scene(const std::string& path);
 SceneRead read_legacy_scene(const std::string& path, const LegacyOptions& = {});
 
 /// YAML text that reads back to an equal valid SceneDesc. `header` lines are put on top as comments. Keys at their
-/// default are left out, but for gravity and density (Presence::stated). File references are written relative to
-/// `directory`, the folder the text is going to be saved in, where they lie below it or where both are relative to the
-/// working directory; else absolute.
+/// default are left out. File references are written relative to `directory`, the folder the text is going to be saved
+/// in, where they lie below it or where both are relative to the working directory; else absolute.
 std::string write_yaml_scene(const SceneDesc&, const std::string& directory, const std::string& header = {});
 
 /// The balls of a SphereSet file: x, y, z, radius each. Throws Error (asset, or scene with file:line:column).

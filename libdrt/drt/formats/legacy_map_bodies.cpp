@@ -98,7 +98,7 @@ std::optional<PhysicsDesc> map_physics(BodyMapping& b) {
         const std::string path = b.path + ".physics.impulses[" + std::to_string(physics.impulses.size()) + ']';
         b.m.mark(path, event.place);
         b.m.mark(path + ".impulse", event, "force");
-        physics.impulses.push_back({event.real("time"), event.vector("force") * b.m.options.legacy_step});
+        physics.impulses.push_back({event.real("time"), event.vector("force") * b.m.options.legacy_step, {}});
     }
     return physics;
 }
@@ -155,6 +155,9 @@ void note_physics(LegacyMapping& m) {
     if (!dynamic) return;
     m.report.note({}, fmt::format("assumed: gravity {} {} {} (--gravity)", o.gravity.x, o.gravity.y, o.gravity.z));
     m.report.note({}, fmt::format("assumed: density {} (--density)", o.density));
+    const PhysicsDesc surface;
+    m.report.note(
+        {}, fmt::format("assumed: restitution {}, friction {}, of every body", surface.restitution, surface.friction));
     if (impulses)
         m.report.note({},
                       fmt::format("assumed: impulse = force * {} s, one legacy step (--legacy-step)", o.legacy_step));

@@ -108,7 +108,8 @@ bool read_value(YamlContext& context, const YamlNode& node, const ScenePath& at,
                 std::optional<V>& value) {
     V v{};
     const bool fine = read_or_note(context, node, at, info, v);
-    if (fine) value = std::move(v);
+    // what could be read of a struct is there to be checked
+    if (fine || (HasFields<V> && node.kind == YamlNode::Kind::mapping)) value = std::move(v);
     return fine;
 }
 

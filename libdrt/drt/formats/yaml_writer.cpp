@@ -88,9 +88,10 @@ std::string value_text(const Writer& writer, const FieldInfo& info, const std::s
     return yaml_text(info.role == Role::file ? relative_file(text, writer.directory) : text);
 }
 
-// Small structs go into braces on one line: keys, turns, impulses come in long lists.
+// Small structs go into braces on one line: keys, turns, impulses and forces come in long lists.
 template <class V>
-constexpr bool is_compact = std::is_same_v<V, MotionKey> || std::is_same_v<V, Turn> || std::is_same_v<V, ImpulseEvent>;
+constexpr bool is_compact = std::is_same_v<V, MotionKey> || std::is_same_v<V, Turn> ||
+                            std::is_same_v<V, ImpulseEvent> || std::is_same_v<V, ForceEvent>;
 
 template <HasFields T>
 Lines struct_lines(const Writer&, const T&);

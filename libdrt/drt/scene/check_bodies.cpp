@@ -50,24 +50,8 @@ template <class T>
 constexpr bool can_carry_texture =
     !std::is_same_v<T, Triangle> && !std::is_same_v<T, Disc> && !std::is_same_v<T, SphereSet>;
 
-std::string shape_name(const Shape& shape) {
-    return std::visit([](const auto& s) { return std::string(Fields<std::remove_cvref_t<decltype(s)>>::name); }, shape);
-}
-
 bool is_textured_badly(const Shape& shape) {
     return std::visit([](const auto& s) { return !can_carry_texture<std::remove_cvref_t<decltype(s)>>; }, shape);
-}
-
-void check_physics(Report& report, const ScenePath& at, const Body& body) {
-    const PhysicsDesc& physics = *body.physics;
-    const ScenePath here = at / "physics";
-    const bool dynamic = physics.kind == PhysicsDesc::Kind::dynamic;
-    if (std::holds_alternative<SphereSet>(body.shape))
-        report.error(here, "a sphere_set cannot take part in the simulation", {}, "single spheres");
-    else if (dynamic && std::holds_alternative<Plane>(body.shape))
-        report.error(here / "kind", "an infinite plane cannot move", "dynamic", "fixed");
-    if (!dynamic && !physics.impulses.empty())
-        report.warning(here / "impulses", "impulses have no effect on a fixed body");
 }
 
 void check_material_of(Report& report, const ScenePath& at, const NameIndex<Material>& materials, const Body& body) {
@@ -83,6 +67,10 @@ void check_material_of(Report& report, const ScenePath& at, const NameIndex<Mate
 
 }  // namespace
 
+std::string shape_name(const Shape& shape) {
+    return std::visit([](const auto& s) { return std::string(Fields<std::remove_cvref_t<decltype(s)>>::name); }, shape);
+}
+
 void check_bodies(Report& report, const SceneDesc& scene) {
     const ScenePath root, list = root / "bodies";
     check_unique_names(report, list, scene.bodies);
@@ -96,8 +84,9 @@ void check_bodies(Report& report, const SceneDesc& scene) {
         if (body.motion) check_motion(report, at / "motion", *body.motion, fine);
         if (body.motion && std::holds_alternative<SphereSet>(body.shape))
             report.error(at / "motion", "a sphere_set cannot move", {}, "single spheres");
-        if (body.physics) check_physics(report, at, body);
+        if (body.physics) check_physics(report, at, scene, body, fine);
     }
+    check_masses(report, scene);
     if (scene.bodies.empty()) report.warning(list, "the scene has no bodies: every pixel shows the background");
 }
 

@@ -52,7 +52,6 @@ enum class Role {
 
 enum class Presence {
     optional,        ///< has the struct's default when it is not written
-    stated,          ///< the same, but drt writes it always: the default is an assumption, which a file should show
     required,        ///< must be written
     first_required,  ///< must be written in the first item of a list; later items default to the previous item's
 };
@@ -140,12 +139,6 @@ template <class T, class M>
 constexpr Field<T, M> field(std::string_view name, M T::*member, std::string_view unit, Range range,
                             std::string_view doc, Role role = Role::value) {
     return {{name, unit, range, doc, role}, member};
-}
-
-template <class Entry>
-constexpr Entry stated(Entry e) {
-    e.info.presence = Presence::stated;
-    return e;
 }
 
 template <class Entry>

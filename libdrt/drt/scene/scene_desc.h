@@ -120,18 +120,45 @@ using Shape = std::variant<Plane, Sphere, Triangle, Rectangle, Parallelogram, Bo
 
 // ---- physics, as described (simulated by the dynamics room) --------------------------------------------------------
 
+/// A blow: changes a dynamic body's momentum at once, whatever the steps of the simulation.
 struct ImpulseEvent {
     double time = 0;
-    Vec3d impulse;  ///< mass * length / time, at the centre
+    Vec3d impulse;            ///< mass * length / time
+    std::optional<Vec3d> at;  ///< point that is struck, from the body's centre along the world's axes; implicit: the
+                              ///< centre. Off it, the blow also turns the body.
     friend bool operator==(const ImpulseEvent&, const ImpulseEvent&) = default;
 };
 
+/// A constant force at a dynamic body's centre for a while.
+struct ForceEvent {
+    double from = 0, until = 0;  ///< scene time
+    Vec3d force;                 ///< mass * length / time^2
+    friend bool operator==(const ForceEvent&, const ForceEvent&) = default;
+};
+
 struct PhysicsDesc {
-    enum class Kind { fixed, dynamic };
+    /// dynamic: moved by the simulation; fixed: stands in the way; kinematic: follows its `motion` and pushes others.
+    enum class Kind { dynamic, fixed, kinematic };
     Kind kind = Kind::dynamic;
-    double density = 1;
+    std::optional<double> density;   ///< mass / length^3; implicit: 1 unless there is a mass
+    std::optional<double> mass;      ///< instead of a density
+    double friction = 0.5;           ///< Coulomb's coefficient; of two bodies the geometric mean counts
+    double rolling_friction = 0;     ///< rolling resistance: torque / (normal force * radius); the larger counts
+    double restitution = 0;          ///< speed after / before an impact, 0 to 1; the larger counts
+    Vec3d velocity;                  ///< of the centre at the start, length / s
+    Vec3d angular_velocity_degrees;  ///< at the start: axis times degrees / s, along the world's axes
     std::vector<ImpulseEvent> impulses;
+    std::vector<ForceEvent> forces;
     friend bool operator==(const PhysicsDesc&, const PhysicsDesc&) = default;
+};
+
+/// How the motion of dynamic bodies is computed. It starts at scene time `start` with the bodies as described.
+struct SimulationSettings {
+    double start = 0;
+    std::optional<double> end;        ///< scene time; implicit: the latest that a camera or a rendered frame shows
+    std::optional<double> tolerance;  ///< of positions, length; implicit: what `tolerance_pixels` are in the picture
+    double tolerance_pixels = 0.1;
+    friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };
 
 struct Body {
@@ -295,9 +322,11 @@ struct SourceMap {
 
 struct SceneDesc {
     RenderSettings render;
-    Color ambient_light{0.0f};  ///< i_a (legacy 0.12)
-    Color background{0.0f};     ///< radiance where a ray hits nothing
-    Vec3d gravity{0, -9.81, 0};
+    Color ambient_light{0.0f};     ///< i_a (legacy 0.12)
+    Color background{0.0f};        ///< radiance where a ray hits nothing
+    double units = 1;              ///< scene units in a metre
+    std::optional<Vec3d> gravity;  ///< length / s^2; implicit: the Earth's along -y, 9.81 `units`
+    SimulationSettings simulation;
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Body> bodies;
@@ -306,6 +335,9 @@ struct SceneDesc {
     SourceMap sources;
     friend bool operator==(const SceneDesc&, const SceneDesc&) = default;
 };
+
+/// Length / s^2.
+inline Vec3d gravity_of(const SceneDesc& s) { return s.gravity.value_or(Vec3d{0, -9.81 * s.units, 0}); }
 
 /// Everything wrong with a scene's values and references, located through scene.sources: non-finite or out-of-range
 /// numbers, unknown references (with a suggestion), duplicate names, degenerate geometry, cameras without a view.

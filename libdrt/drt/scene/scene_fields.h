@@ -16,7 +16,7 @@ struct EnumNames<Motion::Interpolation> {
 };
 template <>
 struct EnumNames<PhysicsDesc::Kind> {
-    static constexpr std::array<std::string_view, 2> names{"fixed", "dynamic"};
+    static constexpr std::array<std::string_view, 3> names{"dynamic", "static", "kinematic"};
 };
 template <>
 struct EnumNames<Texture::ColorSpace> {
@@ -195,10 +195,24 @@ struct Fields<SphereSet> {
 template <>
 struct Fields<ImpulseEvent> {
     static constexpr std::string_view name = "impulse";
-    static constexpr std::string_view doc = "A blow at the centre of a dynamic body.";
+    static constexpr std::string_view doc = "A blow: changes a dynamic body's momentum at once.";
     static constexpr auto table = std::tuple{
         required(field("time", &ImpulseEvent::time, "s", ranges::any, "scene time")),
         required(field("impulse", &ImpulseEvent::impulse, "mass length / s", ranges::any, "direction and size")),
+        implicit("the centre", field("at", &ImpulseEvent::at, "length", ranges::any,
+                                     "point that is struck, from the body's centre along the world's axes; off the "
+                                     "centre, the blow also turns the body")),
+    };
+};
+
+template <>
+struct Fields<ForceEvent> {
+    static constexpr std::string_view name = "force";
+    static constexpr std::string_view doc = "A constant force at a dynamic body's centre for a while.";
+    static constexpr auto table = std::tuple{
+        required(field("from", &ForceEvent::from, "s", ranges::any, "scene time")),
+        required(field("until", &ForceEvent::until, "s", ranges::any, "scene time; after `from`")),
+        required(field("force", &ForceEvent::force, "mass length / s^2", ranges::any, "direction and size")),
     };
 };
 
@@ -208,9 +222,38 @@ struct Fields<PhysicsDesc> {
     static constexpr std::string_view doc = "The body takes part in the simulation.";
     static constexpr auto table = std::tuple{
         field("kind", &PhysicsDesc::kind, "", ranges::any,
-              "dynamic bodies fall and collide, fixed ones only stand in the way"),
-        stated(field("density", &PhysicsDesc::density, "mass / length^3", ranges::positive, "density")),
+              "dynamic: falls and collides; static: only stands in the way; kinematic: follows its motion and pushes "
+              "others"),
+        implicit("by the density", field("mass", &PhysicsDesc::mass, "mass", ranges::positive, "of a dynamic body")),
+        implicit("1, unless there is a mass", field("density", &PhysicsDesc::density, "mass / length^3",
+                                                    ranges::positive, "of a dynamic body, in place of a mass")),
+        field("friction", &PhysicsDesc::friction, "", ranges::not_negative,
+              "Coulomb's coefficient; of two bodies in contact the geometric mean counts"),
+        field("rolling_friction", &PhysicsDesc::rolling_friction, "", ranges::not_negative,
+              "rolling resistance: torque / (normal force * radius); of two bodies the larger counts"),
+        field("restitution", &PhysicsDesc::restitution, "", ranges::unit,
+              "speed after an impact / speed before; of two bodies the larger counts"),
+        field("velocity", &PhysicsDesc::velocity, "length / s", ranges::any, "of the centre at the simulation's start"),
+        field("angular_velocity_degrees", &PhysicsDesc::angular_velocity_degrees, "degrees / s", ranges::any,
+              "at the simulation's start: world axis times speed, right-handed"),
         field("impulses", &PhysicsDesc::impulses, "", ranges::any, "blows"),
+        field("forces", &PhysicsDesc::forces, "", ranges::any, "forces for a while"),
+    };
+};
+
+template <>
+struct Fields<SimulationSettings> {
+    static constexpr std::string_view name = "simulation";
+    static constexpr std::string_view doc = "How the motion of dynamic bodies is computed.";
+    static constexpr auto table = std::tuple{
+        field("start", &SimulationSettings::start, "s", ranges::any,
+              "scene time at which the bodies are as described; before it they do not move"),
+        implicit("the latest that is shown",
+                 field("end", &SimulationSettings::end, "s", ranges::any, "scene time; after `start`")),
+        implicit("as `tolerance_pixels`", field("tolerance", &SimulationSettings::tolerance, "length", ranges::positive,
+                                                "error that positions may have")),
+        field("tolerance_pixels", &SimulationSettings::tolerance_pixels, "pixels", ranges::positive,
+              "the same as seen in the picture; without effect beside `tolerance`"),
     };
 };
 
@@ -426,7 +469,10 @@ struct Fields<SceneDesc> {
         field("ambient_light", &SceneDesc::ambient_light, "", ranges::not_negative,
               "light that is everywhere, scaled by the materials' ambient"),
         field("background", &SceneDesc::background, "radiance", ranges::not_negative, "where a ray hits nothing"),
-        stated(field("gravity", &SceneDesc::gravity, "length / s^2", ranges::any, "for physics")),
+        field("units", &SceneDesc::units, "length / m", ranges::positive, "scene units in a metre, for physics"),
+        implicit("`[0, -9.81 units, 0]`",
+                 field("gravity", &SceneDesc::gravity, "length / s^2", ranges::any, "acceleration, for physics")),
+        field("simulation", &SceneDesc::simulation, "", ranges::any, "how physics is computed"),
         field("textures", &SceneDesc::textures, "", ranges::any, "image files"),
         field("materials", &SceneDesc::materials, "", ranges::any, "materials"),
         field("bodies", &SceneDesc::bodies, "", ranges::any, "what there is to see"),

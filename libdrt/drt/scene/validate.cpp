@@ -7,7 +7,8 @@ void check_globals(Report& report, const SceneDesc& scene) {
     const ScenePath root;
     for_each_field<SceneDesc>([&](const auto& entry) {
         using Member = std::remove_cvref_t<decltype(scene.*entry.member)>;
-        if constexpr (std::is_same_v<Member, Color> || std::is_same_v<Member, Vec3d>)
+        if constexpr (std::is_same_v<Member, Color> || std::is_same_v<Member, double> ||
+                      std::is_same_v<Member, std::optional<Vec3d>>)
             check_entry(report, root, scene, entry);
     });
 }
@@ -49,6 +50,7 @@ Diagnostics validate(const SceneDesc& scene) {
     Report report{scene.sources};
     check_globals(report, scene);
     check_render(report, scene);
+    check_simulation(report, scene);
     check_textures(report, scene);
     check_materials(report, scene);
     check_bodies(report, scene);
