@@ -1,10 +1,9 @@
 # `cmake --install`: the programs, the headers, the static libraries, and a CMake package whose target drt::drt is all
 # of it. Each room is there too (drt::scene, ...). The flags of drt_flags travel along: the width of a SIMD lane follows
 # from -march and is part of the ABI, so a program that links drt is compiled for the same instruction set.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-get_property(rooms GLOBAL PROPERTY DRT_ROOMS)
+get_property(rooms GLOBAL PROPERTY DRT_LINKED_ROOMS)
 list(TRANSFORM rooms PREPEND drt_)
 add_library(drt_drt INTERFACE)
 add_library(drt::drt ALIAS drt_drt)
@@ -16,6 +15,8 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/drt)
 install(TARGETS drt_drt drt_flags ${rooms} EXPORT drt
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+get_property(loaded_libraries GLOBAL PROPERTY DRT_LOADED_LIBRARIES)
+install(TARGETS ${loaded_libraries} LIBRARY DESTINATION ${DRT_LOADED_LIBRARY_DIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/libdrt/drt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 install(EXPORT drt NAMESPACE drt:: FILE drtTargets.cmake DESTINATION ${package_dir})
 install(FILES
@@ -33,6 +34,8 @@ function(drt_install_programs folder)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     if(type STREQUAL "EXECUTABLE")
+      file(RELATIVE_PATH libraries /${CMAKE_INSTALL_BINDIR} /${DRT_LOADED_LIBRARY_DIR})
+      set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
       install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     endif()
   endforeach()

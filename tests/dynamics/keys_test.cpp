@@ -1,0 +1,77 @@
+// Keyframes of a simulated body.
+
+#include "drt/dynamics/keys.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "dynamics/rigid_scenes.h"
+
+namespace drt {
+namespace {
+
+using namespace test;
+
+struct Bounce {
+    RigidScene scene{{floor_body(), ball({0, 5, 0}, 0.6)}, {0, -9.81, 0}};
+    Simulation result;
+    Bounce() {
+        scene.bodies[1].start.velocity = {3, 0, 0};
+        scene.bodies[1].start.spin = {0, 20, 0};
+        result = simulate(scene, 0, 6, 1.0 / 96);
+    }
+};
+
+Vec3d interpolated(const std::vector<MotionKey>& keys, double t) {
+    size_t i = 0;
+    while (i + 2 < keys.size() && keys[i + 1].time < t) ++i;
+    const double share = (t - keys[i].time) / (keys[i + 1].time - keys[i].time);
+    return keys[i].position + (keys[i + 1].position - keys[i].position) * share;
+}
+
+TEST(Keys, StayWithinTheTolerance) {
+    const Bounce b;
+    for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+        const auto keys = keys_of(b.scene.bodies[1], b.result.tracks[1], 0, 6, {tolerance, tolerance});
+        double worst = 0;
+        for (double t = 0; t <= 6; t += 1.0 / 1000)
+            worst = std::max(
+                worst, length(interpolated(keys, t) - state_at(b.scene.bodies[1], b.result.tracks[1], t).position));
+        EXPECT_LE(worst, 1.05 * tolerance);
+        EXPECT_GE(worst, 0.5 * tolerance);  // and are as few as that allows
+    }
+}
+
+TEST(Keys, StandAtEveryBounce) {
+    const Bounce b;
+    const auto keys = keys_of(b.scene.bodies[1], b.result.tracks[1], 0, 6, {1e-2, 1e-2});
+    const double first = std::sqrt(8 / 9.81);
+    for (const double bounce : {first, first * (1 + 2 * 0.6), first * (1 + 2 * 0.6 + 2 * 0.36)}) {
+        const auto at = std::find_if(keys.begin(), keys.end(),
+                                     [&](const MotionKey& k) { return std::abs(k.time - bounce) < 1e-9; });
+        ASSERT_NE(at, keys.end()) << bounce;
+        EXPECT_NEAR(at->position.y, 1, 1e-9);
+    }
+    for (const MotionKey& k : keys) EXPECT_GE(k.position.y, 1 - 1e-9);  // never in the floor
+}
+
+TEST(Keys, OfABodyAtRestAreOne) {
+    const Bounce b;
+    EXPECT_EQ(keys_of(b.scene.bodies[0], b.result.tracks[0], 0, 6, {}).size(), 1u);
+}
+
+// A ball that spins ten times between two keys says so.
+TEST(Keys, CountWholeRevolutions) {
+    RigidScene scene{{ball({0, 0, 0}, 0)}, {}};
+    scene.bodies[0].start.spin = {0, 20 * std::numbers::pi, 0};
+    const Simulation r = simulate(scene, 0, 1.1, 1);
+    const auto keys = keys_of(scene.bodies[0], r.tracks[0], 0, 1.1, {});
+    ASSERT_EQ(keys.size(), 2u);
+    ASSERT_TRUE(keys[1].turn.has_value());
+    EXPECT_NEAR(keys[1].turn->degrees * keys[1].turn->axis.y, 3960, 1e-9);
+}
+
+}  // namespace
+}  // namespace drt
