@@ -4,7 +4,6 @@ include(${CMAKE_CURRENT_LIST_DIR}/library_dependencies.cmake)
 
 # For the programs.
 drt_require(CLI11 2.1 APT libcli11-dev)
-drt_require(xxhash 0 APT libxxhash-dev HEADER xxhash.h LIBRARY xxhash)
 drt_require(osmium 0 APT libosmium2-dev HEADER osmium/util/progress_bar.hpp)
 if(DRT_BUILD_TESTS)
   drt_require(GTest 1.12 APT libgtest-dev)

@@ -6,6 +6,7 @@ drt_require(OpenEXR 3.1 APT libopenexr-dev)
 drt_require(TBB 2021.8 APT libtbb-dev)
 drt_require(yaml-cpp 0.7 APT libyaml-cpp-dev)
 drt_require(fmt 9 APT libfmt-dev)
+drt_require(xxhash 0 APT libxxhash-dev HEADER xxhash.h LIBRARY xxhash)
 
 # The CMake package of libopenimageio-dev stops with an error when the programs of openimageio-tools are absent.
 find_program(DRT_MAKETX maketx)
