@@ -1,4 +1,4 @@
-// drt-render: a scene file becomes a picture. Parse, read, compile, render, write.
+// drt-render: a scene file becomes a picture. Parse, read, bake physics, compile, render, write.
 
 #include <fmt/format.h>
 
@@ -16,6 +16,7 @@
 #include "drt/scene/preview.h"
 #include "options.h"
 #include "output.h"
+#include "physics.h"
 #include "signals.h"
 
 namespace drt {
@@ -135,8 +136,9 @@ int run_program(int argc, char** argv) {
     console.print(read.notes);
     const SceneDesc scene = apply(a, read.scene);
     check_textures_kept(outputs, scene);
+    const std::optional<SceneDesc> baked = bake_physics(a, scene, console);
     TextureCache textures;
-    run_frames({a, scene, console, scene_hash(scene), textures});
+    run_frames({a, baked ? *baked : scene, console, scene_hash(scene), textures});
     if (received_signal() == SIGTERM) return exit_terminated;
     return received_signal() != 0 ? 128 + received_signal() : exit_ok;
 }

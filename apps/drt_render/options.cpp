@@ -9,6 +9,7 @@
 
 #include "apps/command_line.h"
 #include "apps/legacy_options.h"
+#include "drt/bake/cache.h"
 #include "drt/base/version.h"
 #include "drt/scene/scene_fields.h"
 #include "frames.h"
@@ -77,7 +78,9 @@ void parse_resolution(const std::string& text, Overrides& o) {
 // The command line as text, before it is taken apart.
 struct Texts {
     std::string scene, legacy_scene, missing, plan, precision, progress;
-    std::optional<std::string> frames, frame, time_limit, snapshot, resolution, spp, seed, max_depth, threads, exposure;
+    bool no_bake_cache = false;
+    std::optional<std::string> bake_cache, frames, frame, time_limit, snapshot, resolution, spp, seed, max_depth,
+        threads, exposure;
 };
 
 const char* const footer =
@@ -127,6 +130,10 @@ void add_run_options(CLI::App& app, RenderArguments& a, Texts& t) {
         ->check(CLI::IsMember({"auto", "general"}));
     app.add_option("--precision", t.precision, "auto (default), single or double geometry")
         ->check(CLI::IsMember({"auto", "single", "double"}));
+    app.add_option("--bake-cache", t.bake_cache,
+                   "Folder where motion computed from physics is kept (default: $XDG_CACHE_HOME/drt or ~/.cache/drt)")
+        ->option_text("DIR");
+    app.add_flag("--no-bake-cache", t.no_bake_cache, "Compute motion from physics anew and do not keep it");
     app.add_flag("--explain", a.explain, "Print what the plan leaves out and why, to the standard output");
     app.add_flag("--check", a.check, "Do everything but render: read the scene and its textures, check the outputs");
     app.add_option("--progress", t.progress, "auto (default), bar, plain or none")
@@ -179,6 +186,8 @@ void take_texts(RenderArguments& a, const Texts& t) {
     if (t.frame) a.frames = {parse_frame(*t.frame)};
     if (t.frames) a.frames = parse_frames(*t.frames);
     if (t.snapshot) a.snapshot = parse_snapshot(*t.snapshot);
+    if (t.bake_cache && t.bake_cache->empty()) usage_error("no folder after --bake-cache", "", "a folder");
+    if (!t.no_bake_cache) a.bake_cache = t.bake_cache ? *t.bake_cache : default_bake_cache();
     take_numbers(a, t);
     take_choices(a, t);
     for (const std::string& path : a.outputs)

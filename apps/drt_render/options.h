@@ -36,6 +36,7 @@ struct RenderArguments {
     bool preview = false;  ///< legacy -p: no distributed effects
     bool explain = false, check = false;
     bool quiet = false, verbose = false;
+    std::string bake_cache;  ///< folder for motion computed from physics; "" = none
     ProgressStyle progress = ProgressStyle::automatic;
     DisplayTransform display;
     PlanOptions plan;

@@ -8,6 +8,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace drt {
 
@@ -26,12 +27,24 @@ cameras:
   - {name: main, video_start: 0, video_end: 1, position: [0, 2, 6], target: [0, 1, 0], fov_degrees: 40}
 )";
 
+namespace {
+
+// Tests leave nothing in the user's cache, and find nothing there.
+void forbid_default_cache() {
+    static const int done = setenv("XDG_CACHE_HOME", "/dev/null", 1);
+    ASSERT_EQ(done, 0);
+}
+
+}  // namespace
+
 ProcessResult render(const std::vector<std::string>& arguments, const ProcessOptions& options) {
+    forbid_default_cache();
     return test::run_process(DRT_RENDER, arguments, options);
 }
 
 ProcessResult render_in_shell(const std::string& command, const std::vector<std::string>& arguments,
                               const ProcessOptions& options) {
+    forbid_default_cache();
     std::vector<std::string> all{"-c", command, DRT_RENDER};
     all.insert(all.end(), arguments.begin(), arguments.end());
     return test::run_process("/bin/sh", all, options);

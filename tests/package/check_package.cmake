@@ -26,8 +26,23 @@ run(${CMAKE_COMMAND} -S ${PROGRAM_DIR} -B ${WORK_DIR}/build -G ${GENERATOR} -DCM
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/program)
+if(NOT output MATCHES "falls to -4\\.90")
+  message(FATAL_ERROR "The program's ball fell elsewhere: ${output}")
+endif()
 # A ball that fills the picture's middle under a light at the camera: k_d times the light there, where n and l agree.
 if(NOT output MATCHES "middle 0\\.4[89]|middle 0\\.50")
   message(FATAL_ERROR "The program rendered something else: ${output}")
+endif()
+
+# Physics is the business of a library that is loaded when it is needed; without it that is said.
+file(WRITE ${WORK_DIR}/physics.yaml "drt: 1\nambient_light: 1\nmaterials: [{name: grey}]\ncameras: [{video_end: 1}]\n"
+  "bodies: [{type: sphere, material: grey, physics: {}}]\n")
+set(render ${WORK_DIR}/prefix/bin/drt-render --check --no-bake-cache ${WORK_DIR}/physics.yaml)
+run(${render})
+file(GLOB_RECURSE loaded ${WORK_DIR}/prefix/libdrt-bullet.so)
+file(REMOVE ${loaded})
+execute_process(COMMAND ${render} RESULT_VARIABLE result ERROR_VARIABLE text)
+if(NOT result EQUAL 4 OR NOT text MATCHES "libdrt-bullet\\.so.*${WORK_DIR}/prefix/bin/\\.\\./lib")
+  message(FATAL_ERROR "Without libdrt-bullet.so: (${result}) ${text}")
 endif()
 file(REMOVE_RECURSE ${WORK_DIR})

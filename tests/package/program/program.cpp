@@ -1,6 +1,7 @@
-// A program outside drt's tree: describe a scene, compile it, render it, look at a pixel.
+// A program outside drt's tree: describe a scene, compile it, render it, look at a pixel; and let a ball fall.
 #include <cstdio>
 
+#include "drt/bake/bake.h"
 #include "drt/plan/plan.h"
 #include "drt/render/render.h"
 
@@ -14,4 +15,8 @@ int main() {
     const drt::RenderPlan plan = drt::compile(scene, {});
     const drt::RenderResult result = drt::render(plan, {.spp = 16});
     std::printf("middle %.3f\n", double(resolve(result.film).pixel(16, 16)[0]));
+
+    scene.bodies[0].physics.emplace();
+    const drt::Baked baked = drt::bake(scene, 1);
+    std::printf("falls to %.3f\n", baked.scene.bodies[0].motion->keys.back().position.y);
 }

@@ -1,0 +1,81 @@
+// drt-bake as a user runs it.
+
+#include <gtest/gtest.h>
+
+#include "drt/formats/formats.h"
+#include "physics_scene.h"
+#include "render_programs.h"
+
+namespace drt {
+namespace {
+
+ProcessResult bake(const std::vector<std::string>& arguments) { return test::run_process(DRT_BAKE, arguments); }
+
+TEST(BakeProgram, WritesKeyframesThatRenderTheSameBits) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", physics_scene), baked = folder.file("baked.yaml");
+    const ProcessResult r = bake({scene, "-o", baked});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_EQ(r.out, "");
+    EXPECT_TRUE(contains(r.err, "2 dynamic bodies from t = 0 s to 2.1 s"));
+    EXPECT_TRUE(contains(r.err, "trusted"));
+    const std::string text = read_bytes(baked);
+    EXPECT_EQ(text.find("physics"), std::string::npos);
+    EXPECT_TRUE(contains(text, "# Baked by drt-bake"));
+    for (const std::string frame : {"0", "6", "20"}) {
+        const Image a = render_exr(folder, "scene" + frame, {scene, "-f", frame, "--no-bake-cache"});
+        const Image b = render_exr(folder, "baked" + frame, {baked, "-f", frame});
+        EXPECT_EQ(a.data, b.data) << "frame " << frame;
+    }
+    EXPECT_NE(read_image_raw(folder.file("scene0.exr")).data, read_image_raw(folder.file("scene6.exr")).data);
+}
+
+TEST(BakeProgram, LeavesASceneWithoutPhysicsAsItIs) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", small_scene), baked = folder.file("baked.yaml");
+    const ProcessResult r = bake({scene, "-o", baked, "--quiet"});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_EQ(r.err, "");
+    EXPECT_EQ(read_yaml_scene(baked).scene, read_yaml_scene(scene).scene);
+}
+
+TEST(BakeProgram, AsksHowLong) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", replaced(physics_scene, "video_end: 2, ", ""));
+    const ProcessResult r = bake({scene, "-o", folder.file("baked.yaml")});
+    EXPECT_EQ(r.exit_code, 2);
+    EXPECT_TRUE(contains(r.err, "--until"));
+    EXPECT_EQ(files_in(folder), (std::vector<std::string>{"scene.yaml"}));
+    const ProcessResult told = bake({scene, "-o", folder.file("baked.yaml"), "--until", "0.7"});
+    EXPECT_EQ(told.exit_code, 0) << told.err;
+    EXPECT_TRUE(contains(told.err, "to 1 s"));
+}
+
+TEST(BakeProgram, SaysWhatIsWrongAndHow) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", physics_scene), out = folder.file("out.yaml");
+    const std::string wrong = folder.write("wrong.yaml", replaced(physics_scene, "mass: 2", "mass: -2"));
+    const auto exit_code = [&](const std::vector<std::string>& arguments) { return bake(arguments).exit_code; };
+    EXPECT_EQ(exit_code({}), 2);
+    EXPECT_EQ(exit_code({scene}), 2);
+    EXPECT_EQ(exit_code({scene, "-o", scene}), 2);
+    EXPECT_EQ(exit_code({scene, "-o", out, "--until", "nan"}), 2);
+    EXPECT_EQ(exit_code({wrong, "-o", out}), 3);
+    EXPECT_TRUE(contains(bake({wrong, "-o", out}).err, "wrong.yaml:9:"));
+    EXPECT_EQ(exit_code({folder.file("absent.yaml"), "-o", out}), 4);
+    EXPECT_EQ(exit_code({scene, "-o", folder.file("absent/out.yaml")}), 5);
+    EXPECT_EQ(read_bytes(scene), physics_scene);
+    EXPECT_EQ(read_bytes(out), "");
+}
+
+TEST(BakeProgram, WritesToTheStandardOutput) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", physics_scene);
+    const ProcessResult piped = bake({scene, "-o", "-", "-q"});
+    EXPECT_EQ(piped.exit_code, 0);
+    EXPECT_EQ(piped.err, "");
+    EXPECT_TRUE(contains(piped.out, "keys:"));
+}
+
+}  // namespace
+}  // namespace drt
