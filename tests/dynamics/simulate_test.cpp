@@ -124,6 +124,17 @@ TEST(Simulate, ATumblingBoxComesToRest) {
     EXPECT_LE(audit(scene, r.tracks, 60).energy_rise, Audit::most_energy_rise);
 }
 
+// What sleeps on a box wakes up when the box is knocked away.
+TEST(Simulate, NothingHoversWhereItsSupportIsGone) {
+    RigidBody support = box({0, 1, 0}, {1, 1, 1}, 0), plate = box({0, 2.1, 0}, {1, 0.1, 1}, 0);
+    plate.friction = 0;
+    RigidScene scene = on_floor({support, plate});
+    scene.bodies[1].blows = {{10, {200, 0, 0}, {}}};
+    const Simulation r = simulate(scene, 0, 14, 1.0 / 96);
+    EXPECT_NEAR(state_at(scene.bodies[2], r.tracks[2], 10).position.y, 2.1, 1e-6);
+    EXPECT_NEAR(state_at(scene.bodies[2], r.tracks[2], 14).position.y, 0.1, 1e-3);
+}
+
 TEST(Simulate, ABallThatStartsInTheFloorIsPushedOutWithoutSpeed) {
     const RigidScene scene = on_floor({ball({0, 0.95, 0}, 0.9)});
     const Simulation r = simulate(scene, 0, 1, 1.0 / 96);

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "drt/dynamics/contacts.h"
 #include "drt/dynamics/hold.h"
 #include "drt/dynamics/impact_time.h"
+#include "drt/dynamics/overlap.h"
+#include "drt/dynamics/rest.h"
 
 namespace drt {
 
@@ -41,19 +42,16 @@ constexpr double rim_way = 0.01;     // that a corner of a turning body in conta
 // Approaches slower than this do not bounce: a share of sqrt(g L), and of the fastest speed there ever was.
 constexpr double slow_falling = 0.02, slow_flying = 1e-6;
 
-// Bodies in contact that are all slower than this share of sqrt(g L), at their rims too, for this share of sqrt(L / g)
-// have come to rest: they need no steps until something touches them.
-constexpr double rest_speed = 1e-5, rest_time = 0.5;
-
 constexpr int most_collisions = 10000;  // of one instant: then the rest is inelastic
 constexpr int most_stalls = 20;         // events in a row that take no time: then a step is taken all the same
 
-constexpr int push_rounds = 50;
+// A tumbling body's path is integrated from its begin: one that turns farther than this begins anew.
+constexpr double longest_tumble = 4;  // radians
 
 class Simulator {
 public:
     Simulator(const RigidScene& scene, double begin, double end, double step)
-        : scene_(scene), world_(load_contact_world(scene)), end_(end), step_(step), time_(begin) {
+        : scene_(scene), world_(load_contact_world(scene)), rest_(scene), end_(end), step_(step), time_(begin) {
         const size_t n = scene.bodies.size();
         for (const RigidBody& b : scene.bodies) states_.push_back(b.start);
         for (int a = 0; a < int(n); ++a)
@@ -63,8 +61,6 @@ public:
         holds_.assign(n * n, false);
         acceleration_.assign(n, {});
         held_.assign(n, false);
-        quiet_since_.assign(n, never);
-        asleep_.assign(n, false);
         changed_.assign(n, true);
         out_.tracks.resize(n);
         make_timeline();
@@ -72,7 +68,7 @@ public:
 
     Simulation run() {
         apply_events();
-        push_apart();
+        separate_overlaps();
         resolve_impacts();
         while (time_ < end_) {
             find_holds();
@@ -85,7 +81,7 @@ private:
     const RigidBody& body(int i) const { return scene_.bodies[size_t(i)]; }
     bool moves(int i) const { return body(i).kind == RigidBody::Kind::dynamic; }
     bool is_kinematic(int i) const { return body(i).kind == RigidBody::Kind::kinematic; }
-    bool stands(int i) const { return asleep_[size_t(i)] || body(i).kind == RigidBody::Kind::fixed; }
+    bool stands(int i) const { return rest_.asleep(i) || body(i).kind == RigidBody::Kind::fixed; }
     int count() const { return int(scene_.bodies.size()); }
 
     // ---- what the scene asks for at given times ---------------------------------------------------------------------
@@ -124,9 +120,7 @@ private:
     }
 
     void wake(int i) {
-        changed_[size_t(i)] = true;
-        asleep_[size_t(i)] = false;
-        quiet_since_[size_t(i)] = never;
+        for (const int k : rest_.wake(i)) changed_[size_t(k)] = true;
     }
 
     // Those of this very time.
@@ -170,7 +164,9 @@ private:
             in_touch_ = !holding_.empty();
             recall_forces(last);
         }
-        if (in_touch_) put_to_sleep();
+        for (const int i : rest_.update(states_, held_, holding_, time_)) changed_[size_t(i)] = true;
+        for (int i = 0; i < count(); ++i)
+            if (rest_.asleep(i)) held_[size_t(i)] = false;
         for (size_t i = 0; i < held_.size(); ++i)
             if (was_held[i] && !held_[i]) changed_[i] = true;
     }
@@ -183,47 +179,6 @@ private:
             if (from == last.end()) return;
             if (from->a != c.a || from->b != c.b || from->count != c.count) continue;
             for (int k = 0; k < c.count; ++k) c.all[size_t(k)].force = from->all[size_t(k)].force;
-        }
-    }
-
-    bool is_quiet(int i) const {
-        const RigidState& s = states_[size_t(i)];
-        return length(s.velocity) + length(s.spin) * bounding_radius(body(i).collider) <
-               rest_speed * std::sqrt(length(scene_.gravity));
-    }
-
-    // Bodies that hold each other, directly or through others, rest together or not at all.
-    void put_to_sleep() {
-        std::vector<int> island(states_.size());
-        std::iota(island.begin(), island.end(), 0);
-        const auto root = [&](int i) {
-            while (island[size_t(i)] != i) i = island[size_t(i)] = island[size_t(island[size_t(i)])];
-            return i;
-        };
-        std::vector<bool> driven(states_.size(), false);  // touched by a kinematic body
-        for (const Contact& c : holding_) {
-            if (moves(c.a) && moves(c.b)) island[size_t(root(c.a))] = root(c.b);
-            if (is_kinematic(c.a)) driven[size_t(c.b)] = true;
-            if (is_kinematic(c.b)) driven[size_t(c.a)] = true;
-        }
-        std::vector<bool> rests(states_.size(), true);
-        for (int i = 0; i < count(); ++i) {
-            if (!held_[size_t(i)]) continue;
-            if (!is_quiet(i) || driven[size_t(i)])
-                quiet_since_[size_t(i)] = never;
-            else
-                quiet_since_[size_t(i)] = std::min(quiet_since_[size_t(i)], time_);
-            if (!(time_ - quiet_since_[size_t(i)] >= rest_time / std::sqrt(length(scene_.gravity))))
-                rests[size_t(root(i))] = false;
-        }
-        for (int i = 0; i < count(); ++i) {
-            if (!held_[size_t(i)]) continue;
-            const bool sleeps = rests[size_t(root(i))];
-            if (sleeps != asleep_[size_t(i)]) changed_[size_t(i)] = true;
-            asleep_[size_t(i)] = sleeps;
-            if (!sleeps) continue;
-            held_[size_t(i)] = false;
-            states_[size_t(i)].velocity = states_[size_t(i)].spin = {};
         }
     }
 
@@ -271,7 +226,7 @@ private:
         const double h = until - time_;
         after_ = states_;
         for (int i = 0; i < count(); ++i)
-            if (!asleep_[size_t(i)]) after_[size_t(i)].velocity += acceleration_[size_t(i)] * h;
+            if (!rest_.asleep(i)) after_[size_t(i)].velocity += acceleration_[size_t(i)] * h;
         const std::vector<RigidState> alone = after_;
         hold(scene_, after_, holding_, h);
         const std::vector<double> share = shares(alone, h);
@@ -309,29 +264,10 @@ private:
         return share;
     }
 
-    // What turning bodies gain on each other within a step, by their centres and without a change of speed.
-    void push_apart() {
-        const std::vector<Contact> contacts = find_contacts(*world_, scene_, states_, 0);
-        std::vector<Vec3d> moved(states_.size());
-        for (int round = 0; round < push_rounds; ++round) {
-            double deepest = 0;
-            for (const Contact& c : contacts)
-                for (const ContactPoint& p : c.points()) {
-                    const double gap = p.gap + dot(moved[size_t(c.a)] - moved[size_t(c.b)], p.normal);
-                    if (gap >= 0) continue;
-                    deepest = std::min(deepest, gap);
-                    const double ma = moves(c.a) ? 1 / body(c.a).mass : 0, mb = moves(c.b) ? 1 / body(c.b).mass : 0;
-                    moved[size_t(c.a)] -= p.normal * (gap * ma / (ma + mb));
-                    moved[size_t(c.b)] += p.normal * (gap * mb / (ma + mb));
-                }
-            if (round == 0) out_.deepest_overlap = std::max(out_.deepest_overlap, -deepest);
-            if (deepest > -1e-12) break;
-        }
-        for (size_t i = 0; i < states_.size(); ++i) {
-            if (moved[i] == Vec3d{}) continue;
-            states_[i].position += moved[i];
-            changed_[i] = true;
-        }
+    void separate_overlaps() {
+        const PushedApart pushed = push_apart(scene_, find_contacts(*world_, scene_, states_, 0), states_);
+        out_.deepest_overlap = std::max(out_.deepest_overlap, pushed.deepest);
+        for (const int i : pushed.moved) changed_[size_t(i)] = true;
     }
 
     // ---- from event to event ----------------------------------------------------------------------------------------
@@ -340,10 +276,9 @@ private:
     void start_paths() {
         for (int i = 0; i < count(); ++i) {
             if (!changed_[size_t(i)]) continue;
-            const Path path = held_[size_t(i)] ? step_path_[size_t(i)]
-                              : asleep_[size_t(i)]
-                                  ? Path{time_, states_[size_t(i)], {}, false}
-                                  : Path{time_, states_[size_t(i)], acceleration_[size_t(i)], moves(i)};
+            const Path path = held_[size_t(i)]  ? step_path_[size_t(i)]
+                              : rest_.asleep(i) ? Path{time_, states_[size_t(i)], {}, false}
+                                                : Path{time_, states_[size_t(i)], acceleration_[size_t(i)], moves(i)};
             Track& track = out_.tracks[size_t(i)];
             if (!track.empty() && track.back().begin == time_)
                 track.back() = path;
@@ -352,8 +287,23 @@ private:
         }
     }
 
+    // When the path of a tumbling body has become long.
+    double renewal(int i) const {
+        const Vec3d& inertia = body(i).inertia;
+        if (!moves(i) || held_[size_t(i)] || rest_.asleep(i) || (inertia.x == inertia.y && inertia.y == inertia.z))
+            return never;
+        const Track& track = out_.tracks[size_t(i)];
+        const double begin = track.empty() || changed_[size_t(i)] ? time_ : track.back().begin;
+        return begin + longest_tumble / std::max(1e-30, length(states_[size_t(i)].spin));
+    }
+    double next_renewal() const {
+        double first = never;
+        for (int i = 0; i < count(); ++i) first = std::min(first, renewal(i));
+        return first;
+    }
+
     void advance() {
-        double until = std::min(end_, next_event());
+        double until = std::min({end_, next_event(), next_renewal()});
         step_path_.resize(states_.size());
         if (anything_held()) {
             until = std::min({until, time_ + step_length(), time_ + std::max(landing_, step_ / 64)});
@@ -373,7 +323,7 @@ private:
             }
         }
         move_to(until);
-        if (anything_held()) push_apart();
+        if (anything_held()) separate_overlaps();
         apply_events();
         if (until >= impact || in_event_) resolve_impacts();
     }
@@ -389,6 +339,8 @@ private:
             states_[i].spin = after_[i].spin;
             changed_[i] = true;
         }
+        for (int i = 0; i < count(); ++i)
+            if (renewal(i) <= until) changed_[size_t(i)] = true;
         time_ = until;
         in_event_ = next_event() <= time_;
     }
@@ -440,6 +392,7 @@ private:
 
     const RigidScene& scene_;
     std::unique_ptr<ContactWorld> world_;
+    Rest rest_;
     double end_, step_, time_;
     double fastest_ = 0, slow_ = 0;
     std::vector<std::pair<int, int>> pairs_;
@@ -451,8 +404,7 @@ private:
     // By body
     std::vector<RigidState> states_, after_;  // now; at the end of the step
     std::vector<Vec3d> acceleration_;
-    std::vector<bool> held_, changed_, asleep_;
-    std::vector<double> quiet_since_;
+    std::vector<bool> held_, changed_;
     std::vector<Path> step_path_;
     // Lasting contacts
     bool in_touch_ = true;          // there may be some
