@@ -14,8 +14,10 @@ define_property(GLOBAL PROPERTY DRT_ROOM_RECORDS BRIEF_DOCS "What each room decl
 
 # In the build tree and where drt is installed, loaded libraries are in this folder below the prefix.
 set(DRT_LOADED_LIBRARY_DIR ${CMAKE_INSTALL_LIBDIR}/drt)
+# For all of the build tree's programs; cmake --install takes it out again (an rpath given to the linker would stay).
+set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/${DRT_LOADED_LIBRARY_DIR})
 
-# Whatever links <loader> is told where to seek it: in an rpath, which the dynamic linker knows at run time.
+# Whatever links the installed <loader> is told where to seek it: in an rpath, which the dynamic linker knows at run time.
 macro(_drt_add_loaded_library name loader)
   add_library(drt_${name} MODULE ${sources})
   set_target_properties(drt_${name} PROPERTIES OUTPUT_NAME drt-${name} CXX_VISIBILITY_PRESET hidden
@@ -23,7 +25,6 @@ macro(_drt_add_loaded_library name loader)
   target_link_libraries(drt_${name} PRIVATE drt_build_flags ${ARG_LIBRARIES})
   add_dependencies(drt_${loader} drt_${name})
   target_link_options(drt_${loader} INTERFACE
-    $<BUILD_INTERFACE:LINKER:-rpath,${PROJECT_BINARY_DIR}/${DRT_LOADED_LIBRARY_DIR}>
     $<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${DRT_LOADED_LIBRARY_DIR}>)
   set_property(GLOBAL APPEND PROPERTY DRT_LOADED_LIBRARIES drt_${name})
 endmacro()
