@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "drt/formats/formats.h"
 #include "physics_scene.h"
 #include "render_programs.h"
@@ -66,6 +68,22 @@ TEST(BakeProgram, SaysWhatIsWrongAndHow) {
     EXPECT_EQ(exit_code({scene, "-o", folder.file("absent/out.yaml")}), 5);
     EXPECT_EQ(read_bytes(scene), physics_scene);
     EXPECT_EQ(read_bytes(out), "");
+}
+
+// Addresses differ from process to process (and the environment here): nothing may depend on them.
+TEST(BakeProgram, WritesTheSameBitsInEveryProcess) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", physics_scene);
+    std::string first;
+    for (int k = 0; k < 5; ++k) {
+        setenv("DRT_TEST_PADDING", std::string(size_t(k) * 1000, 'x').c_str(), 1);
+        const ProcessResult r = bake({scene, "-o", "-", "-q"});
+        ASSERT_EQ(r.exit_code, 0) << r.err;
+        if (k == 0) first = r.out;
+        EXPECT_EQ(r.out, first) << k;
+    }
+    unsetenv("DRT_TEST_PADDING");
+    EXPECT_TRUE(contains(first, "keys:"));
 }
 
 TEST(BakeProgram, WritesToTheStandardOutput) {

@@ -116,8 +116,9 @@ void check_mass(Report& report, const ScenePath& body, const ScenePath& at, cons
                      rounded(least < least_inertia ? least : largest), "a size and mass that make it 1e-60 to 1e60");
 }
 
-// Contacts between bodies of one mass are solved to the tolerance; far from that the solver converges slowly.
-constexpr double largest_ratio = 1000;
+// A stack of ten bodies stands under one that is so many times as heavy (tests/dynamics/hold_test.cpp), and not under
+// ten times that.
+constexpr double largest_ratio = 1e5;
 
 std::string body_text(const SceneDesc& scene, std::size_t i) {
     return scene.bodies[i].name.empty() ? "body " + std::to_string(i + 1) : '\'' + scene.bodies[i].name + '\'';
@@ -165,7 +166,7 @@ void check_masses(Report& report, const SceneDesc& scene) {
                    body_text(scene, heaviest->body) + " has very much more mass than " +
                        body_text(scene, lightest->body) + ", the lightest dynamic body",
                    rounded(heaviest->mass) + " to " + rounded(lightest->mass),
-                   "at most 1000 to 1: contacts between them are only as accurate as the audit of the bake reports");
+                   "at most 100000 to 1, which is what contacts were measured to hold");
 }
 
 }  // namespace drt
