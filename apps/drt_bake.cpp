@@ -62,8 +62,10 @@ void bake_file(const Arguments& args) {
 
 void add_arguments(CLI::App& app, Arguments& args) {
     app.set_version_flag("--version", fmt::format("drt-bake {}", version()));
-    app.add_option("scene", args.input, "YAML (.yaml, .yml) or legacy text")->required();
-    app.add_option("-o,--output", args.output, "YAML file to write, - for the standard output")->required();
+    app.add_option("scene", args.input, "YAML (.yaml, .yml) or legacy text")->required()->option_text("FILE");
+    app.add_option("-o,--output", args.output, "YAML file to write, - for the standard output")
+        ->required()
+        ->option_text("FILE");
     app.add_option("--until", args.until, "scene time to simulate to, for videos without an end")
         ->check(CLI::Validator(finite_number, ""))
         ->option_text("SECONDS");

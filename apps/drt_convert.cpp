@@ -47,8 +47,12 @@ void convert(const Arguments& args) {
 
 void add_arguments(CLI::App& app, Arguments& args) {
     app.set_version_flag("--version", fmt::format("drt-convert {}", version()));
-    app.add_option("scene", args.input, "legacy text, or YAML (.yaml, .yml) to be normalised")->required();
-    app.add_option("-o,--output", args.output, "YAML file to write, - for the standard output")->required();
+    app.add_option("scene", args.input, "legacy text, or YAML (.yaml, .yml) to be normalised")
+        ->required()
+        ->option_text("FILE");
+    app.add_option("-o,--output", args.output, "YAML file to write, - for the standard output")
+        ->required()
+        ->option_text("FILE");
     app.add_flag("-q,--quiet", args.quiet, "say nothing but errors");
     add_legacy_options(app, args.legacy);
     app.footer(

@@ -57,9 +57,27 @@ RenderPlan plan_frame(const Job& job, int frame) {
     return plan;
 }
 
-RenderEvents events_for(const Job& job, const OutputInfo& info) {
+// Tells once that a signal has arrived. Handlers may not print: whoever renders does.
+class StopNote {
+public:
+    explicit StopNote(Console& console) : console_(console) {}
+    void print_if_stopping() {
+        if (!stop_requested() || printed_) return;
+        printed_ = true;
+        console_.note("stopping: finishing the tiles at hand");
+    }
+
+private:
+    Console& console_;
+    bool printed_ = false;
+};
+
+RenderEvents events_for(const Job& job, const OutputInfo& info, StopNote& stop_note) {
     RenderEvents events;
-    events.progress = [&job](const Progress& p) { job.console.progress(p); };
+    events.progress = [&job, &stop_note](const Progress& p) {
+        job.console.progress(p);
+        stop_note.print_if_stopping();
+    };
     if (const auto snapshot = frame_snapshot(job.arguments, info.frame))
         events.pass_done = [&job, info, writer = SnapshotWriter(*snapshot, job.arguments.display)](
                                const Film& film, const Progress& p) mutable {
@@ -101,8 +119,10 @@ void render_frame(const Job& job, int frame) {
     options.threads = a.threads;
     options.stop = &stop_requested();
     const OutputInfo info{job.hash, frame, &plan, job.scene.render.seed};
-    const RenderResult result = render(plan, options, events_for(job, info));
+    StopNote stop_note(job.console);
+    const RenderResult result = render(plan, options, events_for(job, info, stop_note));
     job.console.end_progress();
+    if (result.stopped_by == StopReason::interrupted) stop_note.print_if_stopping();
     if (result.counters.camera_rays == 0) {  // stopped before the first ray: an old picture is worth more than none
         job.console.note("interrupted before the first sample; nothing written");
         return;
@@ -116,6 +136,10 @@ void run_frames(const Job& job) {
     for (const int frame : a.frames) exposure_of_frame(job.scene, frame, a.plan.camera);  // throws if none records it
     if (a.check || a.outputs.empty()) {
         for (size_t i = 0; i < (a.explain ? a.frames.size() : 1); ++i) plan_frame(job, a.frames[i]);
+        if (a.check)
+            job.console.note(fmt::format("ok: {} (bodies: {}, lights: {}, cameras: {}, frames: {})", a.scene,
+                                         job.scene.bodies.size(), job.scene.lights.size(), job.scene.cameras.size(),
+                                         a.frames.size()));
         return;
     }
     install_signal_handlers();

@@ -91,14 +91,16 @@ const char* const footer =
 
 void add_output_options(CLI::App& app, RenderArguments& a, Texts& t) {
     app.add_option("-o,--output", a.outputs,
-                   "Picture to write: .exr scene-linear, .png .bmp .jpg through the display transform; may be given "
-                   "several times. #### or %04d becomes the frame number. Always a file: pictures replace their old "
-                   "version at once when complete, so - (the standard output) is refused")
+                   "Picture to write: .exr .tif .hdr scene-linear, .png .jpg .bmp .tga .ppm .webp .gif .dpx through "
+                   "the display transform; may be given several times. #### or %04d becomes the frame number. Always "
+                   "a file: pictures replace their old version at once when complete, so - (the standard output) is "
+                   "refused")
         ->option_text("FILE")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
     app.add_option("-r,--resolution", t.resolution, "Picture size in pixels")->option_text("WIDTHxHEIGHT");
-    app.add_option("--exposure", t.exposure, "Stops, for display pictures (PNG, JPEG, BMP)")->option_text("STOPS");
+    app.add_option("--exposure", t.exposure, "Stops, for display pictures (all but .exr .tif .hdr)")
+        ->option_text("STOPS");
     app.add_option("--snapshot", t.snapshot, "Write the picture so far, every SECONDS or after each pass")
         ->option_text("FILE[:SECONDS]");
 }
@@ -121,15 +123,18 @@ void add_quality_options(CLI::App& app, Texts& t) {
     app.add_option("--seed", t.seed, "Seed of the sample points")->option_text("N");
     app.add_option("--max-depth", t.max_depth, "Reflections and refractions in a row")->option_text("N");
     app.add_option("--missing-textures", t.missing, "error (default) or checker: render on with a checker")
-        ->check(CLI::IsMember({"error", "checker"}));
+        ->check(CLI::IsMember({"error", "checker"}))
+        ->option_text("error|checker");
 }
 
 void add_run_options(CLI::App& app, RenderArguments& a, Texts& t) {
     app.add_option("-t,--threads", t.threads, "Threads (0 = all)")->option_text("N");
     app.add_option("--plan", t.plan, "auto (default) or general: leave nothing out")
-        ->check(CLI::IsMember({"auto", "general"}));
+        ->check(CLI::IsMember({"auto", "general"}))
+        ->option_text("auto|general");
     app.add_option("--precision", t.precision, "auto (default), single or double geometry")
-        ->check(CLI::IsMember({"auto", "single", "double"}));
+        ->check(CLI::IsMember({"auto", "single", "double"}))
+        ->option_text("auto|single|double");
     app.add_option("--bake-cache", t.bake_cache,
                    "Folder where motion computed from physics is kept (default: $XDG_CACHE_HOME/drt or ~/.cache/drt)")
         ->option_text("DIR");
@@ -137,7 +142,8 @@ void add_run_options(CLI::App& app, RenderArguments& a, Texts& t) {
     app.add_flag("--explain", a.explain, "Print what the plan leaves out and why, to the standard output");
     app.add_flag("--check", a.check, "Do everything but render: read the scene and its textures, check the outputs");
     app.add_option("--progress", t.progress, "auto (default), bar, plain or none")
-        ->check(CLI::IsMember({"auto", "bar", "plain", "none"}));
+        ->check(CLI::IsMember({"auto", "bar", "plain", "none"}))
+        ->option_text("auto|bar|plain|none");
     app.add_flag("-q,--quiet", a.quiet, "Print errors only");
     app.add_flag("-v,--verbose", a.verbose, "Print notes and per-stage times");
     app.set_version_flag("--version", fmt::format("drt-render {} ({})", version(), build_isa()));

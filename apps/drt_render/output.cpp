@@ -62,15 +62,21 @@ private:
     throw Error(ErrorKind::usage, {{Severity::error, {}, what, path, "", ""}});
 }
 
-// A snapshot may share a picture's path (it is replaced by the picture in the end); two pictures may not.
+// Frames may share a snapshot, but nothing else is written twice: a snapshot in a picture's place would look like the
+// picture after a crash, and cost the old one.
 FileSet output_files(const RenderArguments& a) {
-    FileSet files;
+    FileSet files, snapshots;
     Identifier identify;
     for (const int frame : a.frames)
         for (const std::string& path : output_paths(a, frame))
             if (!files.insert(identify(path)).second) path_error("two outputs have the same path", path);
     for (const int frame : a.frames)
-        if (const auto snapshot = frame_snapshot(a, frame)) files.insert(identify(snapshot->path));
+        if (const auto snapshot = frame_snapshot(a, frame)) {
+            const std::string file = identify(snapshot->path);
+            if (files.count(file) > 0) path_error("the snapshot is also an output", snapshot->path);
+            snapshots.insert(file);
+        }
+    files.merge(snapshots);
     return files;
 }
 

@@ -30,7 +30,8 @@ std::optional<Snapshot> frame_snapshot(const RenderArguments&, int frame);
 using FileSet = std::unordered_set<std::string>;
 
 /// Before anything is read or rendered: all files that the run will write. Throws Error (output) for what cannot be
-/// written, and Error (usage) when two pictures have the same path or one has the scene's.
+/// written, and Error (usage) when two pictures, or a picture and the snapshot, have the same path or one has the
+/// scene's.
 FileSet check_outputs(const RenderArguments&);
 
 /// Throws Error (usage) when a picture would replace one of the scene's textures.

@@ -70,7 +70,7 @@ TEST_F(AtomicFile, LinksThatLeadNowhereAreErrors) {
     fs::create_symlink("b", file("a"));
     fs::create_symlink("a", file("b"));
     for (const char* name : {"link", "a"}) {
-        EXPECT_THROW(check_replaceable(file(name)), std::system_error) << name;
+        EXPECT_THROW(check_replaceable(file(name)), std::runtime_error) << name;
         EXPECT_THROW(replace(file(name), "x"), std::system_error) << name;
         EXPECT_TRUE(fs::is_symlink(file(name))) << name;
     }

@@ -87,7 +87,7 @@ TEST(Convert, QuietSaysNothingButErrors) {
     EXPECT_EQ(convert({example, "-q", "-o", folder.file("a.yaml")}).err, "");
     const ProcessResult bad = convert({folder.write("b.txt", "plane a { }\nspher b { }\n"), "--quiet", "-o", "-"});
     EXPECT_EQ(bad.exit_code, 3);
-    EXPECT_EQ(bad.err.find("note:"), std::string::npos) << bad.err;
+    EXPECT_EQ(bad.err.find("default used"), std::string::npos) << bad.err;
     EXPECT_NE(bad.err.find("b.txt:2:1: error: unknown element \"spher\""), std::string::npos) << bad.err;
 }
 

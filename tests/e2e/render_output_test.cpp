@@ -39,6 +39,13 @@ TEST_F(RenderOutput, UnwritablePathsAreFoundBeforeRendering) {
     EXPECT_EQ(files_in(folder_), (std::vector<std::string>{"folder.exr", "full.exr", "scene.yaml"}));
 }
 
+TEST_F(RenderOutput, AMissingFolderIsCalledSo) {
+    std::vector<std::string> line = arguments(endless);
+    line.insert(line.end(), {"-o", folder_.file("none/a.png")});
+    EXPECT_EQ(render(line).err, "error: cannot write image \"" + folder_.file("none/a.png") + "\": the folder \"" +
+                                    folder_.file("none") + "\" does not exist\n");
+}
+
 TEST_F(RenderOutput, UnwritableSnapshotsAndLaterFramesToo) {
     std::filesystem::create_directory(folder_.path() / "b.0007.exr");
     for (const std::vector<std::string>& output :

@@ -83,7 +83,8 @@ TEST_F(RenderPhysicsCache, IsNoConditionForRendering) {
 TEST_F(RenderPhysicsCache, SaysNothingWithoutBeingAsked) {
     const ProcessResult r = render({folder.write("scene.yaml", physics_scene), "--check", "--bake-cache", cache});
     EXPECT_EQ(r.exit_code, 0);
-    EXPECT_EQ(r.err, "");
+    EXPECT_EQ(r.err.find("ok: "), 0u) << r.err;
+    EXPECT_EQ(r.err.find('\n'), r.err.size() - 1) << r.err;
 }
 
 TEST_F(RenderPhysicsCache, WarnsOfFramesBeyondTheSimulation) {

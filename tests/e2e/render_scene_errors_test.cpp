@@ -52,6 +52,14 @@ TEST_F(RenderScene, InvalidScenesTellAllThatIsWrong) {
     EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
+TEST_F(RenderScene, YamlOfAnotherNameIsToldToBeLegacy) {
+    const std::string path = folder_.write("scene.drt", small_scene);
+    const ProcessResult r = run(path, {"--check"});
+    EXPECT_EQ(r.exit_code, 3);
+    const std::string note = path + ": note: read as a legacy scene: its name does not end in .yaml or .yml\n";
+    EXPECT_EQ(r.err.find(note), r.err.size() - note.size()) << r.err;
+}
+
 TEST_F(RenderScene, MissingSceneIsAMissingInput) {
     EXPECT_EQ(run(folder_.file("none.yaml"), {"-o", out_}).exit_code, 4);
     EXPECT_EQ(run(folder_.path().string(), {"-o", out_}).exit_code, 4);
@@ -75,7 +83,10 @@ TEST_F(RenderScene, FramesThatNobodyRecordsAreFoundBeforeRendering) {
 TEST_F(RenderScene, CheckRendersNothing) {
     const ProcessResult r = run(scene_, {"--check", "-o", out_});
     EXPECT_EQ(r.exit_code, 0);
-    EXPECT_EQ(r.out + r.err, "");
+    EXPECT_EQ(r.out, "");
+    EXPECT_EQ(r.err, "ok: " + scene_ + " (bodies: 2, lights: 1, cameras: 1, frames: 1)\n");
+    const ProcessResult quiet = run(scene_, {"--check", "--quiet"});
+    EXPECT_EQ(quiet.out + quiet.err, "");
     EXPECT_FALSE(std::filesystem::exists(out_));
     EXPECT_EQ(run(scene_, {"--check", "-o", folder_.file("none/a.exr")}).exit_code, 5);
     EXPECT_EQ(run(scene_, {"--check", "--frame", "11"}).exit_code, 2);

@@ -83,6 +83,9 @@ TEST_F(RenderStops, BySignalsWithThePictureSoFar) {
         const ProcessResult r = process->wait();
         EXPECT_EQ(r.exit_code, c.code) << r.err;
         EXPECT_TRUE(contains(r.err, "interrupted: "));
+        const size_t note = r.err.find("stopping: finishing the tiles at hand\n");
+        EXPECT_LT(note, r.err.find("wrote ")) << r.err;
+        EXPECT_EQ(note, r.err.rfind("stopping: ")) << r.err;
         EXPECT_GE(spp(out_), 1);
         EXPECT_EQ(read_image_raw(out_).width, 24);
         EXPECT_EQ(files_in(folder_), (std::vector<std::string>{"a.exr", "scene.yaml", "snapshot.exr"}));

@@ -31,6 +31,25 @@ TEST(RenderUsage, WrongCommandLinesSayWhatIsWrongAndWriteNothing) {
     EXPECT_EQ(files_in(folder), std::vector<std::string>{"scene.yaml"});
 }
 
+TEST(RenderUsage, UnknownOptionsAreNamedWithTheNearest) {
+    EXPECT_EQ(render({"a.yaml", "--sppp", "64", "-o", "a.exr"}).err,
+              "error: unknown option \"--sppp\"; did you mean \"--spp\"?\n");
+    EXPECT_EQ(render({"--sppp=64", "a.yaml", "-o", "a.exr"}).err,
+              "error: unknown option \"--sppp\"; did you mean \"--spp\"?\n");
+    EXPECT_EQ(render({"--thread", "1", "a.yaml", "--frobnicate"}).err,
+              "error: unknown option \"--thread\"; did you mean \"--threads\"?\n");
+    EXPECT_EQ(render({"a.yaml", "-x"}).err, "error: unknown option \"-x\"; expected one that --help lists\n");
+    EXPECT_EQ(render({"a.yaml", "b.yaml", "c.yaml", "-o", "a.exr"}).err,
+              "error: one word too many \"b.yaml\"; expected what --help lists\n");
+}
+
+TEST(RenderUsage, HelpSaysWhatIsAFileAndEveryTypeOfPicture) {
+    const std::string help = render({"--help"}).out;
+    EXPECT_EQ(help.find("TEXT"), std::string::npos) << help;
+    for (const char* type : {".exr", ".tif", ".hdr", ".png", ".jpg", ".bmp", ".tga", ".ppm", ".webp", ".gif", ".dpx"})
+        EXPECT_TRUE(contains(help, std::string(" ") + type + ' '));
+}
+
 TEST(RenderUsage, SceneAndOutputAreNeeded) {
     const TempFolder folder;
     const std::string scene = folder.write("scene.yaml", small_scene);
@@ -55,6 +74,8 @@ TEST(RenderUsage, NeverOverwritesItsInputsOrItself) {
         {scene, "-o", wood},
         {scene, "-o", folder.file("here/wood.png")},
         {scene, "-o", a, "--snapshot", wood},
+        {scene, "-o", a, "--snapshot", folder.file("here/a.png:5")},
+        {scene, "-o", folder.file("#.png"), "--snapshot", folder.file("1.png"), "--frames", "0-1"},
         {png_scene, "-o", folder.file("./legacy.png")},
         {scene, "-o", a, "-o", a},
         {scene, "-o", a, "-o", folder.file("here/./a.png")},

@@ -154,8 +154,11 @@ void check_replaceable(const std::string& path) {
     } else if (errno != ENOENT) {
         throw_errno(path);
     }
-    const std::string target = follow_links(path);
-    sync(folder_of(target), O_RDONLY | O_DIRECTORY);
+    const std::string target = follow_links(path), folder = folder_of(target);
+    std::error_code unknown;  // then sync() says why
+    if (fs::status(folder, unknown).type() == fs::file_type::not_found)
+        throw std::runtime_error("the folder \"" + folder + "\" does not exist");
+    sync(folder, O_RDONLY | O_DIRECTORY);
     const Temporary probe(temporary_name(target));
     Descriptor(probe.path(), O_WRONLY | O_CREAT | O_EXCL).close();
 }
