@@ -62,6 +62,28 @@ TEST(Keys, OfABodyAtRestAreOne) {
     EXPECT_EQ(keys_of(b.scene.bodies[0], b.result.tracks[0], 0, 6, {}).size(), 1u);
 }
 
+// A ball at rest that is struck at 1 s has not turned until then.
+TEST(Keys, DoNotTurnAheadOfABlow) {
+    RigidScene scene{{ball({0, 0, 0}, 0)}, {}};
+    scene.bodies[0].blows = {{1, {3, 0, 0}, {0, 1, 0}}};
+    const Simulation r = simulate(scene, 0, 2, 1);
+    const auto keys = keys_of(scene.bodies[0], r.tracks[0], 0, 2, {});
+    ASSERT_EQ(keys.size(), 3u);
+    EXPECT_EQ(keys[1].time, 1);
+    EXPECT_FALSE(keys[1].turn.has_value());
+    ASSERT_TRUE(keys[2].turn.has_value());
+    EXPECT_NEAR(keys[2].turn->degrees, 3 / 0.4 * 180 / std::numbers::pi, 1e-9);
+}
+
+// Sliding to a halt takes a step every hundredth of a second, and a handful of keys.
+TEST(Keys, AreFewWhereABodySlides) {
+    RigidScene scene{{floor_body(), box({0, 1, 0}, {1, 1, 1}, 0)}, {0, -9.81, 0}};
+    scene.bodies[1].start.velocity = {8, 0, 0};
+    const Simulation r = simulate(scene, 0, 3, 1.0 / 960);
+    EXPECT_GT(r.tracks[1].size(), 1000u);
+    EXPECT_LE(keys_of(scene.bodies[1], r.tracks[1], 0, 3, {1e-3, 1e-3}).size(), 60u);
+}
+
 // A ball that spins ten times between two keys says so.
 TEST(Keys, CountWholeRevolutions) {
     RigidScene scene{{ball({0, 0, 0}, 0)}, {}};

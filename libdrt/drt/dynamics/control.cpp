@@ -93,6 +93,7 @@ Controlled simulate_controlled(const RigidScene& scene, double begin, double end
     }
     if (out.simulation.contact_steps == 0) out.trusted_until = horizon;
     if (out.trusted_until < horizon) out.is_chaotic = false;
+    out.trusted_until = std::min(out.trusted_until, out.simulation.given_up_at);
     return out;
 }
 

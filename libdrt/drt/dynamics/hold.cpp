@@ -131,6 +131,7 @@ struct Lcp {
     std::vector<double> b, x;
     std::vector<int> normal;  // by row: -1, or the row whose x limits it
     std::vector<double> limit;
+    std::vector<double> scratch;  // of the direct solutions
 
     double at(int i, int j) const { return A[size_t(i) * size_t(n) + size_t(j)]; }
     double low(int i) const { return normal[size_t(i)] < 0 ? 0 : -high(i); }
@@ -231,7 +232,8 @@ void solve_part(Lcp& l, const std::vector<int>& part, double enough) {
         if (largest <= enough) return;
         const size_t n = free.size();
         const std::vector<double> downhill = y;
-        std::vector<double> m(n * n);
+        std::vector<double>& m = l.scratch;
+        m.resize(n * n);
         for (size_t i = 0; i < n; ++i)
             for (size_t j = 0; j <= i; ++j) m[i * n + j] = l.at(free[i], free[j]);
         solve_semidefinite(m, y);
@@ -263,7 +265,8 @@ void solve_those_that_hold(Lcp& l) {
             y.push_back(-l.w(i));
         }
     const size_t n = free.size();
-    std::vector<double> m(n * n);
+    std::vector<double>& m = l.scratch;
+    m.resize(n * n);
     for (size_t i = 0; i < n; ++i)
         for (size_t j = 0; j <= i; ++j) m[i * n + j] = l.at(free[i], free[j]);
     solve_semidefinite(m, y);

@@ -51,17 +51,26 @@ bool interpolates(const RigidBody& body, const Track& track, double t0, double t
     return true;
 }
 
-// Times at which the velocity jumps by more than the tolerance would let pass over `seconds`.
-std::vector<double> jumps(const RigidBody& body, const Track& track, double begin, double end) {
+// Times at which the motion jumps: a bounce, a blow. In lasting contact every step changes the velocity a little; what
+// matters there moves the body by a good part of the tolerance within a step.
+std::vector<double> jumps(const RigidBody& body, const Track& track, double begin, double end,
+                          const KeyTolerance& tolerance) {
     std::vector<double> out;
     for (size_t i = 1; i < track.size(); ++i) {
         const double t = track[i].begin;
         if (t <= begin || t >= end) continue;
         const RigidState before = state_at(body, track[i - 1], t), &after = track[i].from;
-        const double scale = 1e-3 * (length(before.velocity) + length(after.velocity)) + 1e-9;
-        const bool bends = length(after.velocity - before.velocity) > scale;
-        const bool spins = length(after.spin - before.spin) > 1e-3 * (length(before.spin) + length(after.spin)) + 1e-9;
-        if (bends || spins) out.push_back(t);
+        const bool steps = !track[i - 1].free && !track[i].free;
+        const double next = i + 1 < track.size() ? track[i + 1].begin : end;
+        const double seconds = std::max(t - track[i - 1].begin, next - t);
+        const auto is_jump = [&](const Vec3d& from, const Vec3d& to, double allowed) {
+            const double change = length(to - from), share = change / (length(from) + length(to) + 1e-30);
+            if (change <= 1e-9) return false;
+            return steps ? share > 0.02 && change * seconds > 0.1 * allowed : share > 1e-3;
+        };
+        if (is_jump(before.velocity, after.velocity, tolerance.position) ||
+            is_jump(before.spin, after.spin, tolerance.angle))
+            out.push_back(t);
     }
     return out;
 }
@@ -70,7 +79,7 @@ std::vector<double> jumps(const RigidBody& body, const Track& track, double begi
 
 std::vector<MotionKey> keys_of(const RigidBody& body, const Track& track, double begin, double end,
                                const KeyTolerance& tolerance) {
-    std::vector<double> fixed = jumps(body, track, begin, end);
+    std::vector<double> fixed = jumps(body, track, begin, end, tolerance);
     fixed.push_back(end);
     std::vector<MotionKey> keys;
     RigidState last = state_at(body, track, begin);
@@ -93,7 +102,8 @@ std::vector<MotionKey> keys_of(const RigidBody& body, const Track& track, double
             const double next = longest >= limit - t ? limit : t + longest;
             const RigidState s = state_at(body, track, next);
             MotionKey key{next, s.position, s.orientation, {}};
-            const Vec3d turn = turn_between(last, s, next - t);
+            // What happens at the key itself is not part of the way there.
+            const Vec3d turn = turn_between(last, state_at(body, track, std::nextafter(next, t)), next - t);
             if (const double angle = length(turn); angle > largest_short_turn)
                 key.turn = Turn{turn / angle, degrees(angle)};
             keys.push_back(key);

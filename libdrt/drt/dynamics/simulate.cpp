@@ -45,6 +45,8 @@ constexpr double slow_falling = 0.02, slow_flying = 1e-6;
 constexpr int most_collisions = 10000;  // of one instant: then the rest is inelastic
 constexpr int most_stalls = 20;         // events in a row that take no time: then a step is taken all the same
 
+constexpr int most_events = 500000;  // impacts, or steps in contact: a bake must end
+
 // A tumbling body's path is integrated from its begin: one that turns farther than this begins anew.
 constexpr double longest_tumble = 4;  // radians
 
@@ -71,6 +73,10 @@ public:
         separate_overlaps();
         resolve_impacts();
         while (time_ < end_) {
+            if (out_.contact_steps > most_events || out_.impacts.size() > size_t(most_events)) {
+                give_up();
+                break;
+            }
             find_holds();
             advance();
         }
@@ -78,6 +84,15 @@ public:
     }
 
 private:
+    void give_up() {
+        out_.given_up_at = time_;
+        for (size_t i = 0; i < states_.size(); ++i) {
+            RigidState still = states_[i];
+            still.velocity = still.spin = {};
+            out_.tracks[i].push_back({time_, still, {}, false});
+        }
+    }
+
     const RigidBody& body(int i) const { return scene_.bodies[size_t(i)]; }
     bool moves(int i) const { return body(i).kind == RigidBody::Kind::dynamic; }
     bool is_kinematic(int i) const { return body(i).kind == RigidBody::Kind::kinematic; }

@@ -3,6 +3,8 @@
 // resolved in no time; only while bodies rest, roll or slide on each other does the simulation take steps, and only
 // there does it depend on them. Why not Bullet's own stepping: docs/dynamics.md.
 
+#include <limits>
+
 #include "drt/dynamics/path.h"
 
 namespace drt {
@@ -13,10 +15,12 @@ struct Impact {
 };
 
 struct Simulation {
+    static constexpr double never_given_up = std::numeric_limits<double>::infinity();
     std::vector<Track> tracks;  ///< by body
     std::vector<Impact> impacts;
     int contact_steps = 0;
-    double deepest_overlap = 0;  ///< that a step left and was pushed apart
+    double given_up_at = never_given_up;  ///< when there were too many events; from then on all bodies stand still
+    double deepest_overlap = 0;           ///< that a step left and was pushed apart
 };
 
 /// From time `begin` to `end`; `step` is the longest step of bodies in contact, seconds.
