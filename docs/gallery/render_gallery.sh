@@ -20,6 +20,18 @@ render() {
     "$program" "$scenes/$scene" --quiet --resolution "$size" "$@" -o "$here/$picture.png"
 }
 
+# render_sheet PICTURE SCENE FIRST LAST: frames FIRST to LAST, four in a row, small (oiiotool)
+render_sheet() {
+    local picture=$1 scene=$2 first=$3 last=$4
+    [[ $wanted == "  " || $wanted == *" $picture "* ]] || return 0
+    echo "$picture"
+    local frames
+    frames=$(mktemp -d)
+    "$program" "$scenes/$scene" --quiet --resolution 160x120 --spp 32 --frames "$first-$last" -o "$frames/####.png"
+    oiiotool "$frames"/*.png --mosaic:pad=2 "4x$(((last - first + 4) / 4))" -o "$here/$picture.png"
+    rm -r "$frames"
+}
+
 for effect in glossy translucency shadows focus motion combined; do
     for method in classic distributed; do
         render "$effect-$method" "$effect-$method.yaml"
@@ -34,6 +46,10 @@ done
 for frame in 0 8 16 24; do
     render "turn-$frame" turn.yaml --frame "$frame"
 done
+for frame in 0 2 4 7; do
+    render "bounce-$frame" bounce.yaml --frame "$frame"
+done
+render_sheet break break.yaml 0 15
 render still-life legacy/still-life.txt
 render carousel legacy/carousel.txt --frame 10
 render manual-example legacy/manual-example.txt --frame 4
