@@ -49,6 +49,7 @@ done
 for frame in 0 2 4 7; do
     render "bounce-$frame" bounce.yaml --frame "$frame"
 done
+render heavy-on-light heavy-on-light.yaml --frame 39
 render_sheet break break.yaml 0 15
 render still-life legacy/still-life.txt
 render carousel legacy/carousel.txt --frame 10
