@@ -45,11 +45,11 @@ TEST(Control, ABreakIsTrustedForAWhile) {
     }
     for (size_t i = scene.bodies.size() - 4; i < scene.bodies.size(); ++i)
         scene.bodies[i].kind = RigidBody::Kind::fixed;
-    const Controlled r = simulate_controlled(scene, 0, 2, 1e-2);
-    EXPECT_LT(r.trusted_until, 2);
+    const Controlled r = simulate_controlled(scene, 0, 3, 1e-4);
+    EXPECT_LT(r.trusted_until, 3);
     EXPECT_GT(r.trusted_until, 0.09);  // when the cue ball arrives
     EXPECT_TRUE(r.audit.passes());
-    EXPECT_LE(r.error, 1e-2);
+    EXPECT_LE(r.error, 1e-4);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "drt/bake/bake.h"
 #include "drt/formats/formats.h"
 #include "support/render_picture.h"
 
@@ -10,6 +11,8 @@ namespace drt {
 const std::vector<Shot>& shots() {
     static const std::vector<Shot> all{
         {"billiard", "scenes/billiard.yaml"},
+        {"bounce", "scenes/bounce.yaml", 2},
+        {"break", "scenes/break.yaml", 3},  // as long as its motion can be foretold
         {"camera-move", "scenes/camera-move.yaml", 20},
         {"camera-move-backwards", "scenes/camera-move.yaml", 50},
         {"combined-classic", "scenes/combined-classic.yaml"},
@@ -18,6 +21,7 @@ const std::vector<Shot>& shots() {
         {"focus-distributed", "scenes/focus-distributed.yaml"},
         {"glossy-classic", "scenes/glossy-classic.yaml"},
         {"glossy-distributed", "scenes/glossy-distributed.yaml"},
+        {"heavy-on-light", "scenes/heavy-on-light.yaml", 39},
         {"motion-classic", "scenes/motion-classic.yaml"},
         {"motion-distributed", "scenes/motion-distributed.yaml"},
         {"room", "scenes/room.yaml"},
@@ -57,6 +61,7 @@ SceneDesc read_shot(const Shot& shot) {
 
 PictureEstimate render_shot(const Shot& shot, SceneDesc scene, int seeds, std::uint32_t first_seed) {
     scene.render.seed = first_seed;
+    scene = bake(scene, 0).scene;  // the same if it is without physics
     PlanOptions plan;
     plan.frame = shot.frame;
     return estimate_scene(scene, plan, spp_per_seed, seeds);

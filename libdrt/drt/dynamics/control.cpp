@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "drt/dynamics/nearest.h"
 
@@ -79,20 +80,27 @@ Controlled simulate_controlled(const RigidScene& scene, double begin, double end
     double horizon = std::min(end, twin.from);
     out.is_chaotic = twin.from < end;
     int agreements = 0;
+    Simulation coarser;
     for (int k = 0; k < most_halvings && agreements < 2 && steps_are_few(out.simulation); ++k) {
-        Simulation finer = simulate(scene, begin, end, out.step / 2);
+        coarser = std::exchange(out.simulation, simulate(scene, begin, end, out.step / 2));
         ++out.runs;
-        const Difference d = compare(finer, horizon);
-        out.simulation = std::move(finer);
         out.step /= 2;
+        const Difference d = compare(coarser, horizon);
         out.error = d.largest;
         out.audit = audit(scene, out.simulation.tracks, end);
         out.trusted_until = std::min(horizon, d.from);
         const bool agrees = d.from >= horizon && out.audit.passes();
         agreements = agrees ? agreements + 1 : 0;
     }
-    if (out.simulation.contact_steps == 0) out.trusted_until = horizon;
-    if (out.trusted_until < horizon) out.is_chaotic = false;
+    if (coarser.tracks.empty()) out.trusted_until = horizon;
+    if (out.is_chaotic && !coarser.tracks.empty()) {  // the first horizon was that of the longest steps
+        const Difference steps = compare(coarser, end);
+        const double start = compare(simulate(perturbed(scene), begin, end, out.step), end).from;
+        ++out.runs;
+        out.error = steps.largest;
+        out.trusted_until = std::min({end, steps.from, start});
+        out.is_chaotic = start <= steps.from && start < end;
+    }
     out.trusted_until = std::min(out.trusted_until, out.simulation.given_up_at);
     return out;
 }

@@ -10,6 +10,7 @@ namespace drt {
 namespace {
 
 constexpr int most_steps = 100000;
+constexpr double corner_step = 1e-7;  // that a corner of a body goes between two looks while another one parts
 
 // The smallest positive root of gap = speed t + acceleration t^2 / 2; infinite if there is none.
 double time_to_close(double gap, double speed, double acceleration) {
@@ -34,7 +35,6 @@ std::optional<double> impact_time(const ContactWorld& world, const RigidScene& s
     const double spin_a = largest_spin(body_a, path_a), spin_b = largest_spin(body_b, path_b);
     const double reach_a = corner_reach(body_a.collider), reach_b = corner_reach(body_b.collider);
     const double rim = spin_a * reach_a + spin_b * reach_b;
-    const double turning = 2 * (spin_a * spin_a * reach_a + spin_b * spin_b * reach_b);
     const double bounds = bounding_radius(body_a.collider) + bounding_radius(body_b.collider);
     const Vec3d pull = path_a.acceleration - path_b.acceleration;
     double t = begin;
@@ -58,9 +58,11 @@ std::optional<double> impact_time(const ContactWorld& world, const RigidScene& s
         const Vec3d vb = sb.velocity + cross(sb.spin, near.point - sb.position);
         const double approach = -dot(va - vb, near.normal);
         if (approach > 0) return t;
-        // Parting: look again when it is apart, but before it can be back.
-        const double back = acceleration + turning;
-        t += std::max(1e-10, std::min(1e-3 * (end - t), back > 0 ? -approach / back : never));
+        // Parting: look again when it is apart, but before it can be back, or another corner there.
+        if (rim > 0)
+            t += corner_step / (rim + length(relative));
+        else
+            t += std::max(1e-10, std::min(1e-3 * (end - t), acceleration > 0 ? -approach / acceleration : never));
     }
     if (t <= end) return t;  // no progress: whoever asks looks at the contacts
     return std::nullopt;
