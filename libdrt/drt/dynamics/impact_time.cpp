@@ -60,7 +60,7 @@ std::optional<double> impact_time(const ContactWorld& world, const RigidScene& s
         if (approach > 0) return t;
         // Parting: look again when it is apart, but before it can be back, or another corner there.
         if (rim > 0)
-            t += corner_step / (rim + length(relative));
+            t += std::max(corner_step, -0.1 * near.distance) / (rim + length(relative));
         else
             t += std::max(1e-10, std::min(1e-3 * (end - t), acceleration > 0 ? -approach / acceleration : never));
     }
