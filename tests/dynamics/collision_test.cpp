@@ -21,7 +21,7 @@ std::vector<RigidState> collide(const RigidScene& scene) {
     std::vector<RigidState> states = states_of(scene);
     const std::vector<Contact> contacts = find_contacts(*world, scene, states, 1e-6);
     EXPECT_EQ(contacts.size(), 1u);
-    world->collide(states, contacts.at(0));
+    world->collide(states, contacts);
     return states;
 }
 

@@ -67,6 +67,7 @@ public:
         // Contacts are seen from the same distance, whatever the bodies' sizes.
         dispatcher_.setDispatcherFlags(dispatcher_.getDispatcherFlags() &
                                        ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
+        gContactBreakingThreshold = farthest_contact;
         for (const RigidBody& b : s.bodies) add(b);
         btContactSolverInfo& info = bullet_.getSolverInfo();
         info.m_numIterations = 1000;
@@ -83,11 +84,12 @@ public:
 
     Nearest nearest(int a, const RigidState&, int b, const RigidState&) const override;
     std::vector<Contact> contacts(const std::vector<RigidState>&, double reach) override;
-    void collide(std::vector<RigidState>&, const Contact&) override;
+    void collide(std::vector<RigidState>&, std::span<const Contact>) override;
 
 private:
     void add(const RigidBody&);
     void place(size_t body, const RigidState&);
+    std::vector<std::unique_ptr<btPersistentManifold>> manifolds_of(const Contact&) const;
 
     const RigidScene& scene_;
     btDefaultCollisionConfiguration configuration_;
@@ -164,35 +166,52 @@ std::vector<Contact> BulletWorld::contacts(const std::vector<RigidState>& states
     return out;
 }
 
-void BulletWorld::collide(std::vector<RigidState>& states, const Contact& contact) {
-    const int bodies[2] = {contact.a, contact.b};
+// Bullet's manifolds have room for four points each.
+std::vector<std::unique_ptr<btPersistentManifold>> BulletWorld::manifolds_of(const Contact& contact) const {
     const RigidBody &a = scene_.bodies[size_t(contact.a)], &b = scene_.bodies[size_t(contact.b)];
-    btCollisionObject* objects[2];
-    for (int k = 0; k < 2; ++k) {
-        const RigidState& s = states[size_t(bodies[k])];
-        place(size_t(bodies[k]), s);
-        btRigidBody& body = *bodies_[size_t(bodies[k])];
-        body.setLinearVelocity(to_bullet(s.velocity));
-        body.setAngularVelocity(to_bullet(s.spin));
-        objects[k] = &body;
-    }
-    btPersistentManifold manifold(objects[0], objects[1], 0, 1e30, 1e30);  // all its points count
-    for (const ContactPoint& point : contact.points()) {
+    const btRigidBody &in_bullet_a = *bodies_[size_t(contact.a)], &in_bullet_b = *bodies_[size_t(contact.b)];
+    std::vector<std::unique_ptr<btPersistentManifold>> out;
+    for (int k = 0; k < contact.count; ++k) {
+        if (k % MANIFOLD_CACHE_SIZE == 0)  // all its points count, whatever their distance
+            out.push_back(std::make_unique<btPersistentManifold>(&in_bullet_a, &in_bullet_b, 0, 1e30, 1e30));
+        const ContactPoint& point = contact.all[size_t(k)];
         const btVector3 on_a = to_bullet(point.on_a), on_b = to_bullet(point.on_b);
-        btManifoldPoint p(objects[0]->getWorldTransform().invXform(on_a),
-                          objects[1]->getWorldTransform().invXform(on_b), to_bullet(point.normal), point.gap);
+        btManifoldPoint p(in_bullet_a.getWorldTransform().invXform(on_a),
+                          in_bullet_b.getWorldTransform().invXform(on_b), to_bullet(point.normal), point.gap);
         p.m_positionWorldOnA = on_a;
         p.m_positionWorldOnB = on_b;
         p.m_combinedFriction = combined_friction(a, b);
         p.m_combinedRestitution = combined_restitution(a, b);
-        manifold.addManifoldPoint(p);
+        out.back()->addManifoldPoint(p);
     }
-    btPersistentManifold* manifolds[1] = {&manifold};
+    return out;
+}
+
+void BulletWorld::collide(std::vector<RigidState>& states, std::span<const Contact> contacts) {
+    std::vector<int> moved;
+    for (const Contact& c : contacts) moved.insert(moved.end(), {c.a, c.b});
+    std::sort(moved.begin(), moved.end());
+    moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+    std::vector<btCollisionObject*> objects;
+    for (const int k : moved) {
+        const RigidState& s = states[size_t(k)];
+        place(size_t(k), s);
+        btRigidBody& body = *bodies_[size_t(k)];
+        body.setLinearVelocity(to_bullet(s.velocity));
+        body.setAngularVelocity(to_bullet(s.spin));
+        objects.push_back(&body);
+    }
+    std::vector<std::unique_ptr<btPersistentManifold>> owned;
+    for (const Contact& c : contacts)
+        for (auto& m : manifolds_of(c)) owned.push_back(std::move(m));
+    std::vector<btPersistentManifold*> manifolds;
+    for (auto& m : owned) manifolds.push_back(m.get());
     const btContactSolverInfo& info = bullet_.getSolverInfo();
-    solver_.prepareSolve(2, 1);
-    solver_.solveGroup(objects, 2, manifolds, 1, nullptr, 0, info, nullptr, &dispatcher_);
+    solver_.prepareSolve(int(objects.size()), int(manifolds.size()));
+    solver_.solveGroup(objects.data(), int(objects.size()), manifolds.data(), int(manifolds.size()), nullptr, 0, info,
+                       nullptr, &dispatcher_);
     solver_.allSolved(info, nullptr);
-    for (const int k : bodies) {
+    for (const int k : moved) {
         if (scene_.bodies[size_t(k)].kind != RigidBody::Kind::dynamic) continue;
         states[size_t(k)].velocity = from_bullet(bodies_[size_t(k)]->getLinearVelocity());
         states[size_t(k)].spin = from_bullet(bodies_[size_t(k)]->getAngularVelocity());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "drt/dynamics/nearest.h"
+#include "drt/dynamics/polytope.h"
 #include "drt/dynamics/rigid_body.h"
 
 namespace drt {
@@ -28,7 +29,7 @@ struct ContactPoint {
 
 /// A pair of bodies that are near each other, a < b.
 struct Contact {
-    static constexpr int most_points = 4;
+    static constexpr int most_points = most_surface_points;
     int a = 0, b = 0;
     int count = 0;
     std::array<ContactPoint, most_points> all{};
@@ -51,6 +52,9 @@ inline double approach_at(const Contact& c, const ContactPoint& p, const std::ve
     return -dot(va - vb, p.normal);
 }
 
+/// From where on contacts are seen.
+inline constexpr double farthest_contact = 0.1;
+
 class ContactWorld {
 public:
     virtual ~ContactWorld() = default;
@@ -58,12 +62,12 @@ public:
     /// By iteration, for pairs of convex bodies; see nearest_bodies() (contacts.h).
     virtual Nearest nearest(int a, const RigidState&, int b, const RigidState&) const = 0;
 
-    /// Pairs of bodies near each other, in order, with Bullet's points nearer than `reach`: perhaps none. Without their
-    /// approach. See find_contacts() (contacts.h).
+    /// Pairs of bodies near each other, in order, with Bullet's points nearer than `reach`, at most farthest_contact:
+    /// perhaps none. Without their approach. See find_contacts() (contacts.h).
     virtual std::vector<Contact> contacts(const std::vector<RigidState>&, double reach) = 0;
 
-    /// An impact of a pair as if it were alone: with restitution and friction, in no time.
-    virtual void collide(std::vector<RigidState>&, const Contact&) = 0;
+    /// An impact at all points of these contacts at once: with restitution and friction, in no time.
+    virtual void collide(std::vector<RigidState>&, std::span<const Contact>) = 0;
 };
 
 /// Keeps a reference to the scene. Bullet is loaded on the first call: the room `bullet` is a library of its own,
@@ -73,6 +77,6 @@ std::unique_ptr<ContactWorld> load_contact_world(const RigidScene&);
 
 /// What both sides of this interface must have been compiled with. Raise it with every change of the structs and
 /// functions above or of rigid_body.h.
-inline constexpr const char* contact_world_version = "contacts 4";
+inline constexpr const char* contact_world_version = "contacts 5";
 
 }  // namespace drt

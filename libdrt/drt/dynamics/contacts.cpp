@@ -25,7 +25,7 @@ void refine(Contact& c, const ContactWorld& world, const RigidScene& scene, cons
         if (n.distance <= reach) set_points(c, {{n.distance, n.point + n.normal * n.distance, n.point}}, n.normal);
     } else if (has_flat_faces(ca) && has_flat_faces(cb)) {
         const Polytope pa = make_polytope(ca, sa), pb = make_polytope(cb, sb);
-        const Separation s = separate(pa, pb);
+        const Separation s = prefer_faces(pa, pb, separate(pa, pb));
         set_points(c, contact_points(pa, pb, s, reach), s.normal);
         if (c.count > 0 || s.distance > reach) return;
         // Nearest at a corner, where no face or edge is opposite.
@@ -48,9 +48,11 @@ Nearest nearest_bodies(const ContactWorld& world, const RigidScene& scene, int a
     if (const auto near = nearest_in_closed_form(ca, sa, cb, sb)) return *near;
     if (!has_flat_faces(ca) || !has_flat_faces(cb)) return world.nearest(a, sa, b, sb);
     const Polytope pa = make_polytope(ca, sa), pb = make_polytope(cb, sb);
-    const Separation s = separate(pa, pb);
+    Separation s = separate(pa, pb);
     Nearest out{s.distance, s.normal, (sa.position + sb.position) * 0.5, touch_distance};
     if (s.distance > touch_distance) return out;
+    s = prefer_faces(pa, pb, s);
+    out.normal = s.normal;
     const std::vector<SurfacePoint> points = contact_points(pa, pb, s, touching_points);
     if (points.empty()) return world.nearest(a, sa, b, sb);  // no face or edge is opposite: a corner
     for (double least = never; const SurfacePoint& p : points)

@@ -9,7 +9,7 @@ namespace drt {
 /// For two bodies with flat faces the distance is a lower bound, and exact where they touch.
 Nearest nearest_bodies(const ContactWorld&, const RigidScene&, int a, const RigidState&, int b, const RigidState&);
 
-/// The pairs that are nearer than `reach` (at most 0.02, from where Bullet sees them), in the order of their bodies,
+/// The pairs that are nearer than `reach` (at most farthest_contact), in the order of their bodies,
 /// with their points.
 std::vector<Contact> find_contacts(ContactWorld&, const RigidScene&, const std::vector<RigidState>&, double reach);
 

@@ -2,39 +2,30 @@
 
 #include <algorithm>
 
+#include "drt/dynamics/rows.h"
+
 namespace drt {
 
-namespace {
-
-constexpr int most_rounds = 50;
-constexpr double small = 1e-12;
-
-}  // namespace
-
-PushedApart push_apart(const RigidScene& scene, const std::vector<Contact>& contacts, std::vector<RigidState>& states) {
-    const auto lightness = [&](int i) {
-        const RigidBody& b = scene.bodies[size_t(i)];
-        return b.kind == RigidBody::Kind::dynamic ? 1 / b.mass : 0;
-    };
+PushedApart push_apart(const RigidScene& scene, const std::vector<Contact>& contacts, std::vector<RigidState>& states,
+                       bool turning) {
     PushedApart out;
-    std::vector<Vec3d> way(states.size());
-    for (int round = 0; round < most_rounds; ++round) {
-        double deepest = 0;
-        for (const Contact& c : contacts)
-            for (const ContactPoint& p : c.points()) {
-                const double gap = p.gap + dot(way[size_t(c.a)] - way[size_t(c.b)], p.normal);
-                if (gap >= 0) continue;
-                deepest = std::max(deepest, -gap);
-                const double a = lightness(c.a), b = lightness(c.b);
-                way[size_t(c.a)] -= p.normal * (gap * a / (a + b));
-                way[size_t(c.b)] += p.normal * (gap * b / (a + b));
-            }
-        out.deepest = std::max(out.deepest, deepest);
-        if (deepest < small) break;
-    }
+    std::vector<Row> rows;
+    for (const Contact& c : contacts)
+        for (const ContactPoint& p : c.points()) {
+            out.deepest = std::max(out.deepest, -p.gap);
+            const Vec3d from_a = p.on_a - states[size_t(c.a)].position, from_b = p.on_b - states[size_t(c.b)].position;
+            rows.push_back(push_along(c.a, c.b, p.normal, turning ? from_a : Vec3d{}, turning ? from_b : Vec3d{}));
+            rows.back().offset = p.gap;
+        }
+    // The way that is left to go in a unit of time is a speed.
+    std::vector<RigidState> way = states;
+    for (RigidState& s : way) s.velocity = s.spin = {};
+    solve_rows(scene, rows, way);
     for (size_t i = 0; i < states.size(); ++i) {
-        if (way[i] == Vec3d{}) continue;
-        states[i].position += way[i];
+        if (way[i].velocity == Vec3d{} && way[i].spin == Vec3d{}) continue;
+        states[i].position += way[i].velocity;
+        if (const double angle = length(way[i].spin); angle > 0)
+            states[i].orientation = normalize(quat_from_axis_angle(way[i].spin / angle, angle) * states[i].orientation);
         out.moved.push_back(int(i));
     }
     return out;

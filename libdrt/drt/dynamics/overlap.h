@@ -5,12 +5,12 @@
 
 namespace drt {
 
-/// Moves dynamic bodies along the contacts' normals, the light ones more, until none overlaps. Returns the deepest
-/// overlap there was, and the bodies that were moved.
+/// Moves dynamic bodies by as little as can be, counted by their masses, such that none of the contacts' points
+/// overlap; they may turn as well if `turning`. Returns the bodies that were moved, and the deepest overlap there was.
 struct PushedApart {
     double deepest = 0;
     std::vector<int> moved;
 };
-PushedApart push_apart(const RigidScene&, const std::vector<Contact>&, std::vector<RigidState>&);
+PushedApart push_apart(const RigidScene&, const std::vector<Contact>&, std::vector<RigidState>&, bool turning);
 
 }  // namespace drt

@@ -12,6 +12,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 // An edge pair must separate by so much more than the best face: faces give more points.
 constexpr double faces_preferred_by = 1e-9;
 constexpr double parallel = 1e-8;  // sine of the angle
+constexpr double almost_parallel = 0.02;
 
 Polytope make(const BoxCollider& c, const RigidState& s) {
     Polytope out;
@@ -111,26 +112,21 @@ SurfacePoint crossing(const Vec3d& pa, const Vec3d& da, const Vec3d& pb, const V
     return {dot(on_a - on_b, n), on_a, on_b};
 }
 
-// The deepest, the one farthest from it, and those that span the largest triangles with them.
-std::vector<SurfacePoint> four_of(std::vector<SurfacePoint> all) {
-    if (all.size() <= 4) return all;
-    const auto take = [&](auto measure) {
-        const auto best = std::max_element(
-            all.begin(), all.end(), [&](const auto& p, const auto& q) { return measure(p.on_b) < measure(q.on_b); });
-        const SurfacePoint taken = *best;
-        all.erase(best);
-        return taken;
-    };
-    const auto deepest =
-        std::min_element(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.gap < q.gap; });
-    std::vector<SurfacePoint> out{*deepest};
-    all.erase(deepest);
-    const Vec3d a = out[0].on_b;
-    out.push_back(take([&](const Vec3d& p) { return length_squared(p - a); }));
-    const Vec3d b = out[1].on_b;
-    out.push_back(take([&](const Vec3d& p) { return length_squared(cross(p - a, b - a)); }));
-    const Vec3d side = cross(out[2].on_b - a, b - a);
-    out.push_back(take([&](const Vec3d& p) { return -dot(cross(p - a, b - a), side); }));  // on the other side
+// The deepest first, and always the one that is farthest from those before it: as many as a contact can have.
+std::vector<SurfacePoint> spread(std::vector<SurfacePoint> all) {
+    std::vector<SurfacePoint> out;
+    auto next = std::min_element(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.gap < q.gap; });
+    while (next != all.end() && out.size() < most_surface_points) {
+        out.push_back(*next);
+        all.erase(next);
+        const auto distance = [&](const SurfacePoint& p) {
+            double least = never;
+            for (const SurfacePoint& q : out) least = std::min(least, length_squared(p.on_b - q.on_b));
+            return least;
+        };
+        next = std::max_element(all.begin(), all.end(),
+                                [&](const auto& p, const auto& q) { return distance(p) < distance(q); });
+    }
     return out;
 }
 
@@ -158,7 +154,7 @@ std::vector<SurfacePoint> contact_points(const Collider& body, const RigidState&
         const double gap = dot(p - at.position, up);
         if (gap <= reach) out.push_back({gap, p, p - up * gap});
     }
-    return four_of(std::move(out));
+    return spread(std::move(out));
 }
 
 bool has_flat_faces(const Collider& c) {
@@ -196,6 +192,19 @@ Separation separate(const Polytope& a, const Polytope& b) {
     return best;
 }
 
+Separation prefer_faces(const Polytope& a, const Polytope& b, const Separation& s) {
+    if (s.face_of_a >= 0 || s.face_of_b >= 0) return s;
+    Separation best = s;
+    double nearest = almost_parallel * almost_parallel;
+    for (size_t k = 0; k < a.faces.size(); ++k)
+        if (const double d = length_squared(a.faces[k].normal + s.normal); d < nearest)
+            nearest = d, best = {s.distance, -a.faces[k].normal, int(k), -1};
+    for (size_t k = 0; k < b.faces.size(); ++k)
+        if (const double d = length_squared(b.faces[k].normal - s.normal); d < nearest)
+            nearest = d, best = {s.distance, b.faces[k].normal, -1, int(k)};
+    return best;
+}
+
 std::vector<SurfacePoint> contact_points(const Polytope& a, const Polytope& b, const Separation& s, double reach) {
     std::vector<SurfacePoint> out;
     if (s.distance > reach) return out;
@@ -224,7 +233,7 @@ std::vector<SurfacePoint> contact_points(const Polytope& a, const Polytope& b, c
         const Vec3d foot = p - face.normal * gap;
         out.push_back(on_a ? SurfacePoint{gap, foot, p} : SurfacePoint{gap, p, foot});
     }
-    return four_of(std::move(out));
+    return spread(std::move(out));
 }
 
 }  // namespace drt

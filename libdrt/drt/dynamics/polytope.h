@@ -31,19 +31,23 @@ struct Separation {
     int face_of_a = -1, face_of_b = -1;  ///< the face whose normal it is; neither: it is perpendicular to two edges
 };
 Separation separate(const Polytope& a, const Polytope& b);
+/// Where two edges keep apart faces that are almost parallel: by the face. Two boxes on each other touch at several
+/// points, of which the axes alone show one.
+Separation prefer_faces(const Polytope& a, const Polytope& b, const Separation&);
 
+inline constexpr int most_surface_points = 8;  ///< the corners of two rectangles' overlap
 struct SurfacePoint {
     double gap = 0;
     Vec3d on_a, on_b;
 };
 
-/// The corners of a body with flat faces, or the rims of a cylinder, near a plane: at most four points, on the body and
-/// on the plane.
+/// The corners of a body with flat faces, or the rims of a cylinder, near a plane: points on the body and on
+/// the plane.
 std::vector<SurfacePoint> contact_points(const Collider&, const RigidState&, const PlaneCollider&, const RigidState&,
                                          double reach);
 
-/// At most four points, as far apart as may be, where the two are nearer than `reach`: the overlap of the faces that
-/// look at each other, or the crossing of two edges.
+/// Where the two are nearer than `reach`: the corners of the overlap of the faces that look at each other, or the
+/// crossing of two edges. The first few are far apart.
 std::vector<SurfacePoint> contact_points(const Polytope& a, const Polytope& b, const Separation&, double reach);
 
 }  // namespace drt

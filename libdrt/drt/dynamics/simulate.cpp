@@ -9,6 +9,7 @@
 #include "drt/dynamics/impact_time.h"
 #include "drt/dynamics/overlap.h"
 #include "drt/dynamics/rest.h"
+#include "drt/dynamics/step.h"
 
 namespace drt {
 
@@ -37,13 +38,15 @@ namespace {
 constexpr double touching = 1e-6;    // nearer than this, bodies collide
 constexpr double resting = 2e-4;     // nearer than this and slower than a bounce, they hold each other
 constexpr double hold_reach = 0.02;  // corners of bodies that hold each other are watched from here on
-constexpr double rim_way = 0.01;     // that a corner of a turning body in contact may go in a step
 
 // Approaches slower than this do not bounce: a share of sqrt(g L), and of the fastest speed there ever was.
 constexpr double slow_falling = 0.02, slow_flying = 1e-6;
 
 constexpr int most_collisions = 10000;  // of one instant: then the rest is inelastic
 constexpr int most_stalls = 20;         // events in a row that take no time: then a step is taken all the same
+
+constexpr double small_overlap = 1e-11;  // is left as it is
+constexpr int most_separations = 3;      // bodies that turn come apart only in the limit
 
 constexpr int most_events = 500000;  // impacts, or steps in contact: a bake must end
 
@@ -53,7 +56,13 @@ constexpr double longest_tumble = 4;  // radians
 class Simulator {
 public:
     Simulator(const RigidScene& scene, double begin, double end, double step)
-        : scene_(scene), world_(load_contact_world(scene)), rest_(scene), end_(end), step_(step), time_(begin) {
+        : scene_(scene),
+          world_(load_contact_world(scene)),
+          rest_(scene),
+          end_(end),
+          step_(step),
+          limits_(step_limits(scene, step)),
+          time_(begin) {
         const size_t n = scene.bodies.size();
         for (const RigidBody& b : scene.bodies) states_.push_back(b.start);
         for (int a = 0; a < int(n); ++a)
@@ -70,7 +79,7 @@ public:
 
     Simulation run() {
         apply_events();
-        separate_overlaps();
+        separate_overlaps(false);
         resolve_impacts();
         while (time_ < end_) {
             if (out_.contact_steps > most_events || out_.impacts.size() > size_t(most_events)) {
@@ -167,7 +176,7 @@ private:
         std::fill(holds_.begin(), holds_.end(), false);
         std::vector<bool> was_held(held_.size(), false);
         was_held.swap(held_);
-        const std::vector<Contact> last = std::exchange(holding_, {});
+        holding_.clear();
         landing_ = never;
         if (in_touch_) {
             std::vector<Contact> contacts = find_contacts(*world_, scene_, states_, hold_reach);
@@ -177,7 +186,6 @@ private:
             }
             for (const Contact& c : contacts) add_hold(c);
             in_touch_ = !holding_.empty();
-            recall_forces(last);
         }
         for (const int i : rest_.update(states_, held_, holding_, time_)) changed_[size_t(i)] = true;
         for (int i = 0; i < count(); ++i)
@@ -187,9 +195,9 @@ private:
     }
 
     // What held a pair in the last step is the best guess for the next.
-    void recall_forces(const std::vector<Contact>& last) {
+    static void recall_forces(std::vector<Contact>& contacts, const std::vector<Contact>& last) {
         auto from = last.begin();
-        for (Contact& c : holding_) {  // both in the order of their bodies
+        for (Contact& c : contacts) {  // both in the order of their bodies
             while (from != last.end() && std::pair(from->a, from->b) < std::pair(c.a, c.b)) ++from;
             if (from == last.end()) return;
             if (from->a != c.a || from->b != c.b || from->count != c.count) continue;
@@ -199,6 +207,20 @@ private:
 
     // Pairs without restitution need no instant of impact once they touch: what holds them also stops them.
     bool bounces(const Contact& c) const { return combined_restitution(body(c.a), body(c.b)) > 0; }
+
+    // With those of their points that approach.
+    std::vector<Contact> that_bounce_now(const std::vector<Contact>& contacts) const {
+        std::vector<Contact> out;
+        for (const Contact& c : contacts) {
+            if (!bounces(c)) continue;
+            Contact fast = c;
+            fast.count = 0;
+            for (const ContactPoint& p : c.points())
+                if (p.approach > slow()) fast.all[size_t(fast.count++)] = p;
+            if (fast.count > 0) out.push_back(fast);
+        }
+        return out;
+    }
 
     bool has_landed(const std::vector<Contact>& contacts) const {
         for (const Contact& c : contacts)
@@ -227,62 +249,88 @@ private:
 
     bool anything_held() const { return std::find(held_.begin(), held_.end(), true) != held_.end(); }
 
+    double shortest_step() const { return step_ / 64; }
     double step_length() const {
-        double h = step_;
+        double h = std::min(step_, allowed_step_);
         for (int i = 0; i < count(); ++i)
-            if (held_[size_t(i)])
-                h = std::min(
-                    h, rim_way / std::max(1e-30, length(states_[size_t(i)].spin) * corner_reach(body(i).collider)));
-        return std::max(h, step_ / 64);
+            if (held_[size_t(i)]) h = std::min(h, longest_contact_step(body(i), states_[size_t(i)], limits_));
+        return std::max(h, shortest_step());
     }
 
-    // Bodies in contact move at the mean of their velocities before and after the step: second order in the step.
-    void hold_paths(double until) {
-        const double h = until - time_;
-        after_ = states_;
-        for (int i = 0; i < count(); ++i)
-            if (!rest_.asleep(i)) after_[size_t(i)].velocity += acceleration_[size_t(i)] * h;
-        const std::vector<RigidState> alone = after_;
-        hold(scene_, after_, holding_, h);
-        const std::vector<double> share = shares(alone, h);
-        for (size_t i = 0; i < states_.size(); ++i) {
-            if (!moves(int(i))) continue;
-            if (after_[i].velocity != alone[i].velocity || after_[i].spin != alone[i].spin) held_[i] = true;
-            if (!held_[i]) continue;
-            RigidState mean = states_[i];
-            mean.velocity = states_[i].velocity * (1 - share[i]) + after_[i].velocity * share[i];
-            mean.spin = states_[i].spin * (1 - share[i]) + after_[i].spin * share[i];
-            step_path_[i] = {time_, mean, Vec3d{}, false};
-            changed_[i] = true;
+    // As if nothing changed the velocities.
+    std::vector<RigidState> states_of_the_middle(double h) const {
+        std::vector<RigidState> out;
+        for (int i = 0; i < count(); ++i) {
+            const double t = time_ + 0.5 * h;
+            out.push_back(is_kinematic(i)   ? state_at(body(i), body(i).course, t)
+                          : rest_.asleep(i) ? states_[size_t(i)]
+                                            : state_at(body(i), Path{time_, states_[size_t(i)], {}, false}, t));
         }
-        ++out_.contact_steps;
+        return out;
     }
 
-    // The share of the velocity after a step in that of its path. Where a contact sets in within the step, the mean
-    // would carry bodies into each other or apart; and bodies that touch must move alike.
-    std::vector<double> shares(const std::vector<RigidState>& alone, double h) const {
-        std::vector<double> share(states_.size(), 0.5);
-        for (const Contact& c : holding_)
-            for (const ContactPoint& p : c.points()) {
-                const bool apart = p.gap > 1e-9 || p.approach < -1e-9;
-                if (apart && approach_at(c, p, alone) * h > p.gap) share[size_t(c.a)] = share[size_t(c.b)] = 1;
+    std::vector<Contact> contacts_of_the_middle(const std::vector<RigidState>& states, double h) {
+        std::vector<Contact> out = find_contacts(*world_, scene_, states, hold_reach);
+        std::erase_if(out, [&](const Contact& c) { return !is_holding(c); });
+        set_gaps_of_begin(out, states, h);
+        recall_forces(out, last_held_);
+        return out;
+    }
+    bool is_holding(const Contact& c) const {
+        return std::any_of(holding_.begin(), holding_.end(),
+                           [&](const Contact& h) { return h.a == c.a && h.b == c.b; });
+    }
+
+    // Paths of bodies in contact, to this time or one before it where they are thrown about. Returns the time.
+    double hold_paths(double until) {
+        for (;;) {
+            const double h = until - time_;
+            std::vector<RigidState> free = states_of_the_middle(h);
+            std::vector<Contact> middle = contacts_of_the_middle(free, h);
+            for (int i = 0; i < count(); ++i)
+                if (!rest_.asleep(i))
+                    free[size_t(i)].velocity = states_[size_t(i)].velocity + acceleration_[size_t(i)] * h;
+            ContactStep step = contact_step(scene_, states_, holding_, free, middle, h, limits_);
+            ++out_.contact_steps;
+            if (step.is_too_long && h > 1.5 * shortest_step()) {
+                allowed_step_ = std::max(0.5 * h, shortest_step());
+                until = time_ + allowed_step_;
+                continue;
             }
-        for (bool spreads = true; spreads;) {
-            spreads = false;
-            for (const Contact& c : holding_) {
-                double &a = share[size_t(c.a)], &b = share[size_t(c.b)];
-                if (a == b || !moves(c.a) || !moves(c.b)) continue;
-                a = b = 1;
-                spreads = true;
+            for (size_t i = 0; i < states_.size(); ++i) {
+                if (step.held[i]) held_[i] = true;
+                if (!held_[i]) continue;
+                step_path_[i] = {time_, step.during[i], Vec3d{}, false};
+                changed_[i] = true;
             }
+            after_ = std::move(step.after);
+            last_held_ = std::move(middle);
+            allowed_step_ = std::min(step_, 2 * allowed_step_);
+            return until;
         }
-        return share;
     }
 
-    void separate_overlaps() {
-        const PushedApart pushed = push_apart(scene_, find_contacts(*world_, scene_, states_, 0), states_);
-        out_.deepest_overlap = std::max(out_.deepest_overlap, pushed.deepest);
-        for (const int i : pushed.moved) changed_[size_t(i)] = true;
+    // At the start bodies stay as they are turned.
+    void separate_overlaps(bool turning) {
+        for (int round = 0; round < most_separations; ++round) {
+            const std::vector<Contact> contacts = find_contacts(*world_, scene_, states_, resting);
+            const bool overlap = std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) {
+                return std::any_of(c.points().begin(), c.points().end(),
+                                   [](const ContactPoint& p) { return p.gap < -small_overlap; });
+            });
+            if (!overlap) return;
+            for (const Contact& c : contacts)
+                for (const ContactPoint& q : c.points())
+                    if (q.gap < -2e-4)
+                        fprintf(stderr,
+                                " t %.5f r%d deep %d %d held %d %d gap %.3e approach %.3e n %.3f %.3f %.3f at %.3f "
+                                "%.3f %.3f\n",
+                                time_, round, c.a, c.b, int(held_[c.a]), int(held_[c.b]), q.gap, q.approach, q.normal.x,
+                                q.normal.y, q.normal.z, q.on_a.x, q.on_a.y, q.on_a.z);
+            const PushedApart pushed = push_apart(scene_, contacts, states_, turning);
+            out_.deepest_overlap = std::max(out_.deepest_overlap, pushed.deepest);
+            for (const int i : pushed.moved) changed_[size_t(i)] = true;
+        }
     }
 
     // ---- from event to event ----------------------------------------------------------------------------------------
@@ -321,24 +369,24 @@ private:
         double until = std::min({end_, next_event(), next_renewal()});
         step_path_.resize(states_.size());
         if (anything_held()) {
-            until = std::min({until, time_ + step_length(), time_ + std::max(landing_, step_ / 64)});
-            hold_paths(until);
+            until = std::min({until, time_ + step_length(), time_ + std::max(landing_, shortest_step())});
+            until = hold_paths(until);
         }
         start_paths();
-        find_impacts(until);
-        const double impact =
-            next_impact_.empty() ? never : *std::min_element(next_impact_.begin(), next_impact_.end());
+        double impact = first_impact(until);
         if (impact < until) {
             until = impact;
             stalls_ = impact > time_ ? 0 : stalls_ + 1;
             if (stalls_ > most_stalls) until = std::min(end_, time_ + 1e-6 * step_);
             if (anything_held() && until > time_) {  // a shorter step has other velocities
-                hold_paths(until);
+                until = hold_paths(until);
                 start_paths();
+                impact = first_impact(until);
+                until = std::min(until, std::max(impact, time_));
             }
         }
         move_to(until);
-        if (anything_held()) separate_overlaps();
+        if (anything_held()) separate_overlaps(true);
         apply_events();
         if (until >= impact || in_event_) resolve_impacts();
     }
@@ -358,6 +406,11 @@ private:
             if (renewal(i) <= until) changed_[size_t(i)] = true;
         time_ = until;
         in_event_ = next_event() <= time_;
+    }
+
+    double first_impact(double until) {
+        find_impacts(until);
+        return next_impact_.empty() ? never : *std::min_element(next_impact_.begin(), next_impact_.end());
     }
 
     void find_impacts(double until) {
@@ -383,18 +436,17 @@ private:
         }
     }
 
-    // One pair after the other, the fastest first: what Newton's cradle does, and energy never rises.
+    // All that approach at once, then those that approach because of that, and so on (generalized reflections, Smith et
+    // al. 2012): Newton's cradle behaves as it does, a rack of balls breaks evenly, and energy never rises.
     void resolve_impacts() {
         learn_speeds();
         const double before = kinetic_energy(scene_, states_);
         const std::vector<RigidState> old = states_;
         std::vector<Contact> contacts = find_contacts(*world_, scene_, states_, touching);
         for (int k = 0; k < most_collisions; ++k) {
-            const auto speed = [&](const Contact& c) { return bounces(c) ? c.approach() : -never; };
-            const auto fastest = std::max_element(contacts.begin(), contacts.end(),
-                                                  [&](const auto& a, const auto& b) { return speed(a) < speed(b); });
-            if (fastest == contacts.end() || speed(*fastest) <= slow()) break;
-            world_->collide(states_, *fastest);
+            const std::vector<Contact> approaching = that_bounce_now(contacts);
+            if (approaching.empty()) break;
+            world_->collide(states_, approaching);
             update_approach(contacts, states_);
         }
         hold(scene_, states_, contacts, 0);
@@ -408,7 +460,9 @@ private:
     const RigidScene& scene_;
     std::unique_ptr<ContactWorld> world_;
     Rest rest_;
-    double end_, step_, time_;
+    double end_, step_;
+    StepLimits limits_;
+    double time_;
     double fastest_ = 0, slow_ = 0;
     std::vector<std::pair<int, int>> pairs_;
     std::vector<double> next_impact_;  // by pair, absolute
@@ -422,10 +476,12 @@ private:
     std::vector<bool> held_, changed_;
     std::vector<Path> step_path_;
     // Lasting contacts
-    bool in_touch_ = true;          // there may be some
-    std::vector<bool> holds_;       // by pair: count() * a + b, a < b
-    std::vector<Contact> holding_;  // of the step to come
-    double landing_ = never;        // seconds until a corner of a body in contact lands
+    bool in_touch_ = true;            // there may be some
+    std::vector<bool> holds_;         // by pair: count() * a + b, a < b
+    std::vector<Contact> holding_;    // of the step to come, at its begin
+    std::vector<Contact> last_held_;  // the last step's, with their forces
+    double allowed_step_ = never;     // seconds; short for a while after bodies have been thrown about
+    double landing_ = never;          // seconds until a corner of a body in contact lands
     Simulation out_;
 };
 
