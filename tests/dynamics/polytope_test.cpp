@@ -39,6 +39,37 @@ TEST(Polytope, BoxesFaceToFaceTouchAtTheCornersOfTheirOverlap) {
     EXPECT_TRUE(contact_points(upper, lower, s, 1e-4).empty());
 }
 
+// Two squares turned against each other overlap in an octagon, and a box would tip over any corner that is left out.
+TEST(Polytope, TurnedBoxesTouchAtEightPoints) {
+    const Collider c = BoxCollider{{1, 1, 1}};
+    const Polytope lower = make_polytope(c, at({0, 0, 0})),
+                   upper = make_polytope(c, at({0, 2, 0}, quat_from_axis_angle({0, 1, 0}, pi<double> / 4)));
+    const auto points = contact_points(upper, lower, separate(upper, lower), 0.01);
+    ASSERT_EQ(points.size(), 8u);
+    for (const SurfacePoint& p : points) {  // one coordinate is 1, the other sqrt(2) - 1
+        const double x = std::abs(p.on_b.x), z = std::abs(p.on_b.z);
+        EXPECT_NEAR(std::max(x, z), 1, 1e-8);
+        EXPECT_NEAR(std::min(x, z), std::sqrt(2.0) - 1, 1e-8);
+    }
+}
+
+// Tilted by a hair, crossed edges keep the two apart by more than their faces do; the other corners are near all the
+// same.
+TEST(Polytope, AlmostParallelFacesKeepTheirPoints) {
+    const Collider c = BoxCollider{{1, 1, 1}};
+    const double tilt = 1e-3;
+    const Quatd turned = quat_from_axis_angle({1, 0, 0}, tilt) * quat_from_axis_angle({0, 1, 0}, 0.3);
+    const Polytope lower = make_polytope(c, at({0, 0, 0})), upper = make_polytope(c, at({0, 2.0005, 0.2}, turned));
+    const Separation s = prefer_faces(upper, lower, separate(upper, lower));
+    EXPECT_GE(s.face_of_a + s.face_of_b, -1);
+    const auto points = contact_points(upper, lower, s, 0.01);
+    ASSERT_GE(points.size(), 6u);
+    double least = 1, most = -1;
+    for (const SurfacePoint& p : points) least = std::min(least, p.gap), most = std::max(most, p.gap);
+    EXPECT_NEAR(least, s.distance, 1e-5);
+    EXPECT_NEAR(most - least, 2 * tilt, 0.7e-3);
+}
+
 // Two boxes that lie across each other, both on an edge.
 TEST(Polytope, CrossedEdgesTouchAtOnePoint) {
     const Collider c = BoxCollider{{1, 1, 5}};

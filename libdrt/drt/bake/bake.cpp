@@ -18,6 +18,8 @@ namespace {
 // not show it as what it is.
 constexpr double finest_tolerance = 1e-6, coarsest_tolerance = 0.1;
 
+constexpr double worth_telling = 0.01;  // of overlaps: share of the smallest body's size
+
 class Baker {
 public:
     explicit Baker(const BakeInput& in) : in_(in), model_(build_rigid_scene(in)), views_(eye_views(in)) {}
@@ -117,17 +119,41 @@ private:
         r.is_chaotic = controlled_.is_chaotic;
         r.impacts = int(controlled_.simulation.impacts.size());
         r.contact_steps = controlled_.simulation.contact_steps;
+        describe_audit(r);
+        describe_troubles(r);
+    }
+
+    void describe_audit(BakeReport& r) const {
         const Audit& a = controlled_.audit;
-        if (a.energy_rise > Audit::most_energy_rise)
+        if (!(a.energy_rise <= Audit::most_energy_rise))
             r.notes.push_back({Severity::warning, -1,
                                fmt::format("the simulation gains energy near t = {:.6g} s: {:.2g} of the largest "
                                            "kinetic energy",
                                            a.worst_time, a.energy_rise)});
-        if (a.restitution_error > Audit::most_restitution_error)
+        if (!(a.restitution_error <= Audit::most_restitution_error))
             r.notes.push_back({Severity::warning, -1,
                                fmt::format("a bounce near t = {:.6g} s keeps {:.2g} more or less of its speed than its "
                                            "restitution says",
                                            a.worst_time, a.restitution_error)});
+    }
+
+    void describe_troubles(BakeReport& r) const {
+        const Simulation& s = controlled_.simulation;
+        const auto say = [&](const Trouble& t, const std::string& what) {
+            r.notes.push_back(
+                {Severity::warning, t.body,
+                 fmt::format("{} at t = {:.6g} s, at a speed of {:.4g}", what, t.time, t.speed * model_.units.length)});
+        };
+        if (s.given_up.time < in_.end)
+            say(s.given_up,
+                "the simulation ends, for too much happens to this body: it is crushed, or turns or bounces "
+                "without end; everything stands still from then on,");
+        if (s.deepest_start > worth_telling)
+            say(s.started_in_another, fmt::format("this body starts {:.3g} deep in another and is pushed out",
+                                                  s.deepest_start * model_.units.length));
+        if (s.deepest_overlap > worth_telling)
+            say(s.overlapped, fmt::format("this body gets {:.3g} deep into another and is pushed out",
+                                          s.deepest_overlap * model_.units.length));
     }
 
     const BakeInput& in_;

@@ -193,12 +193,16 @@ void BulletWorld::collide(std::vector<RigidState>& states, std::span<const Conta
     std::sort(moved.begin(), moved.end());
     moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
     std::vector<btCollisionObject*> objects;
+    // An impact of twice the speed is twice the same; Bullet makes NaN of some at 1e8.
+    double fastest = 0;
+    for (const Contact& c : contacts) fastest = std::max(fastest, c.approach());
+    const double unit = fastest > 0 ? fastest : 1;
     for (const int k : moved) {
         const RigidState& s = states[size_t(k)];
         place(size_t(k), s);
         btRigidBody& body = *bodies_[size_t(k)];
-        body.setLinearVelocity(to_bullet(s.velocity));
-        body.setAngularVelocity(to_bullet(s.spin));
+        body.setLinearVelocity(to_bullet(s.velocity / unit));
+        body.setAngularVelocity(to_bullet(s.spin / unit));
         objects.push_back(&body);
     }
     std::vector<std::unique_ptr<btPersistentManifold>> owned;
@@ -213,8 +217,8 @@ void BulletWorld::collide(std::vector<RigidState>& states, std::span<const Conta
     solver_.allSolved(info, nullptr);
     for (const int k : moved) {
         if (scene_.bodies[size_t(k)].kind != RigidBody::Kind::dynamic) continue;
-        states[size_t(k)].velocity = from_bullet(bodies_[size_t(k)]->getLinearVelocity());
-        states[size_t(k)].spin = from_bullet(bodies_[size_t(k)]->getAngularVelocity());
+        states[size_t(k)].velocity = from_bullet(bodies_[size_t(k)]->getLinearVelocity()) * unit;
+        states[size_t(k)].spin = from_bullet(bodies_[size_t(k)]->getAngularVelocity()) * unit;
     }
 }
 

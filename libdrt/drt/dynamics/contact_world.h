@@ -77,6 +77,6 @@ std::unique_ptr<ContactWorld> load_contact_world(const RigidScene&);
 
 /// What both sides of this interface must have been compiled with. Raise it with every change of the structs and
 /// functions above or of rigid_body.h.
-inline constexpr const char* contact_world_version = "contacts 5";
+inline constexpr const char* contact_world_version = "contacts 6";
 
 }  // namespace drt

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <utility>
 
@@ -14,9 +15,9 @@ namespace {
 constexpr double samples_per_second = 240;  // where motions are compared
 constexpr int most_samples = 100000;
 constexpr double longest_step = 1.0 / 96;
-constexpr int most_halvings = 6;
-constexpr int most_steps = 100000;     // of a run: what takes more is not halved again
-constexpr double perturbation = 1e-9;  // of the smallest body's size: what a file's digits say of a place
+constexpr size_t most_halvings = 6;
+constexpr double most_points = 100000;  // of contacts in a run's steps: what takes more is not halved again
+constexpr double perturbation = 1e-9;   // of the smallest body's size: what a file's digits say of a place
 
 // Seconds in which a body falls by a good part of its size.
 double first_step(const RigidScene& scene) {
@@ -35,8 +36,6 @@ RigidScene perturbed(const RigidScene& scene) {
     return out;
 }
 
-bool steps_are_few(const Simulation& s) { return s.contact_steps > 0 && s.contact_steps <= most_steps; }
-
 double apart(const RigidBody& body, const RigidState& a, const RigidState& b) {
     const Quatd q = b.orientation * conjugate(a.orientation);
     const double sine_of_half = length(Vec3d{q.x, q.y, q.z});
@@ -48,14 +47,16 @@ double apart(const RigidBody& body, const RigidState& a, const RigidState& b) {
 Difference compare_motions(const RigidScene& scene, const std::vector<Track>& a, const std::vector<Track>& b,
                            double begin, double end, double tolerance) {
     Difference out{0, std::numeric_limits<double>::infinity()};
-    const int samples = std::clamp(int((end - begin) * samples_per_second), 1, most_samples);
+    const int samples = int(std::clamp((end - begin) * samples_per_second, 1.0, double(most_samples)));
     for (int k = 0; k <= samples; ++k) {
         const double t = begin + (end - begin) * k / samples;
         double largest = 0;
-        for (size_t i = 0; i < scene.bodies.size(); ++i)
-            if (scene.bodies[i].kind == RigidBody::Kind::dynamic)
-                largest = std::max(largest, apart(scene.bodies[i], state_at(scene.bodies[i], a[i], t),
-                                                  state_at(scene.bodies[i], b[i], t)));
+        for (size_t i = 0; i < scene.bodies.size(); ++i) {
+            if (scene.bodies[i].kind != RigidBody::Kind::dynamic) continue;
+            const double d =
+                apart(scene.bodies[i], state_at(scene.bodies[i], a[i], t), state_at(scene.bodies[i], b[i], t));
+            largest = std::isnan(d) ? std::numeric_limits<double>::infinity() : std::max(largest, d);
+        }
         if (!(largest <= tolerance)) return {out.largest, t};
         out.largest = std::max(out.largest, largest);
     }
@@ -68,40 +69,58 @@ Controlled simulate_controlled(const RigidScene& scene, double begin, double end
     out.simulation = simulate(scene, begin, end, out.step);
     out.runs = 1;
     out.audit = audit(scene, out.simulation.tracks, end);
-    out.trusted_until = end;
-    if (out.simulation.impacts.size() <= 1 && out.simulation.contact_steps == 0)
-        return out;  // nothing touches anything
+    const auto trust = [&](double until) {
+        if (!out.audit.passes()) until = std::min(until, out.audit.worst_time);
+        out.trusted_until = std::min({end, until, out.simulation.given_up.time});
+    };
+    trust(end);
+    if (out.simulation.impacts.empty() && out.simulation.contact_steps == 0) return out;  // nothing touches anything
 
+    const RigidScene displaced = perturbed(scene);
     const auto compare = [&](const Simulation& other, double until) {
         return compare_motions(scene, out.simulation.tracks, other.tracks, begin, until, tolerance);
     };
-    const Difference twin = compare(simulate(perturbed(scene), begin, end, out.step), end);
+    const auto start = [&](const RigidScene& s, double step) {
+        return std::async(std::launch::async, simulate, std::cref(s), begin, end, step);
+    };
+    std::future<Simulation> twin = start(displaced, out.step);
+    std::vector<std::future<Simulation>> finer;  // those that are needed in any case
+    if (out.simulation.contact_steps > 0) {
+        finer.push_back(start(scene, out.step / 2));
+        if (2 * out.simulation.contact_points <= most_points) finer.push_back(start(scene, out.step / 4));
+    }
+    const Difference start_matters = compare(twin.get(), end);
     ++out.runs;
-    double horizon = std::min(end, twin.from);
-    out.is_chaotic = twin.from < end;
+    const double horizon = std::min(end, start_matters.from);
+    out.is_chaotic = start_matters.from < end;
+    trust(horizon);
+    if (finer.empty()) return out;
+
     int agreements = 0;
     Simulation coarser;
-    for (int k = 0; k < most_halvings && agreements < 2 && steps_are_few(out.simulation); ++k) {
-        coarser = std::exchange(out.simulation, simulate(scene, begin, end, out.step / 2));
+    for (size_t k = 0; k < most_halvings && agreements < 2; ++k) {
+        if (k > 0 && out.simulation.contact_points > most_points) break;
+        coarser = std::exchange(out.simulation,
+                                k < finer.size() ? finer[k].get() : simulate(scene, begin, end, out.step / 2));
         ++out.runs;
         out.step /= 2;
         const Difference d = compare(coarser, horizon);
         out.error = d.largest;
         out.audit = audit(scene, out.simulation.tracks, end);
-        out.trusted_until = std::min(horizon, d.from);
+        trust(std::min(horizon, d.from));
         const bool agrees = d.from >= horizon && out.audit.passes();
         agreements = agrees ? agreements + 1 : 0;
     }
-    if (coarser.tracks.empty()) out.trusted_until = horizon;
-    if (out.is_chaotic && !coarser.tracks.empty()) {  // the first horizon was that of the longest steps
-        const Difference steps = compare(coarser, end);
-        const double start = compare(simulate(perturbed(scene), begin, end, out.step), end).from;
+    const Difference steps = compare(coarser, end);
+    if (out.is_chaotic && steps.from > horizon) {  // which was that of the longest steps
+        const double from = compare(simulate(displaced, begin, end, out.step), end).from;
         ++out.runs;
         out.error = steps.largest;
-        out.trusted_until = std::min({end, steps.from, start});
-        out.is_chaotic = start <= steps.from && start < end;
+        trust(std::min(steps.from, from));
+        out.is_chaotic = from <= steps.from && from < end;
+    } else {
+        out.is_chaotic = out.is_chaotic && steps.from >= horizon;
     }
-    out.trusted_until = std::min(out.trusted_until, out.simulation.given_up_at);
     return out;
 }
 

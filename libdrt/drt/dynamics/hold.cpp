@@ -36,7 +36,7 @@ struct ContactRows {
 };
 
 void add_rows(ContactRows& out, const RigidScene& scene, const std::vector<RigidState>& states, Contact& c,
-              const std::vector<bool>& acts, double seconds) {
+              const std::vector<bool>& acts, double seconds, double way) {
     const RigidBody &body_a = scene.bodies[size_t(c.a)], &body_b = scene.bodies[size_t(c.b)];
     const RigidState &a = states[size_t(c.a)], &b = states[size_t(c.b)];
     const double friction = combined_friction(body_a, body_b);
@@ -52,7 +52,7 @@ void add_rows(ContactRows& out, const RigidScene& scene, const std::vector<Rigid
             return r;
         };
         Row press = push(point.normal);
-        if (seconds > 0) press.offset = std::max(point.gap, 0.0) / seconds;
+        if (way > 0) press.offset = std::max(point.gap, 0.0) / way;
         const int normal = out.add(press, &point);
         const Vec3d slip = a.velocity + cross(a.spin, from_a) - b.velocity - cross(b.spin, from_b);
         const auto limited = [&](Row row, double limit) {
@@ -80,20 +80,26 @@ void add_rows(ContactRows& out, const RigidScene& scene, const std::vector<Rigid
 // else turns out to come closer is added. Unknowns cost their cube.
 constexpr int points_at_first = 3;
 constexpr int most_additions = 8;
-constexpr double closer = 1e-9;  // than it may
+constexpr double close_by = 1e-4;  // length
+constexpr double closer = 1e-9;    // than it may
 
-std::vector<std::vector<bool>> first_guess(std::span<const Contact> contacts) {
+std::vector<std::vector<bool>> first_guess(std::span<const Contact> contacts, const std::vector<RigidState>& states,
+                                           double way) {
     std::vector<std::vector<bool>> acts;
     for (const Contact& c : contacts) {
         acts.emplace_back(c.count);
-        for (int k = 0; k < c.count; ++k)
-            acts.back()[size_t(k)] = k < points_at_first || length_squared(c.all[size_t(k)].force) > 0;
+        for (int k = 0; k < c.count; ++k) {
+            const ContactPoint& p = c.all[size_t(k)];
+            const bool pressed = length_squared(p.force) > 0;
+            const bool near = p.gap <= approach_at(c, p, states) * way + close_by;
+            acts.back()[size_t(k)] = pressed || (near && k < points_at_first);
+        }
     }
     return acts;
 }
 
 bool add_what_comes_closer(std::vector<std::vector<bool>>& acts, std::span<const Contact> contacts,
-                           const std::vector<RigidState>& states, double seconds) {
+                           const std::vector<RigidState>& states, double way) {
     double fastest = 0;
     for (const RigidState& s : states) fastest = std::max(fastest, length(s.velocity));
     bool any = false;
@@ -102,7 +108,7 @@ bool add_what_comes_closer(std::vector<std::vector<bool>>& acts, std::span<const
             const ContactPoint& p = contacts[i].all[size_t(k)];
             const double approach = approach_at(contacts[i], p, states);
             const bool comes_closer =
-                seconds > 0 ? approach * seconds > std::max(p.gap, 0.0) + closer : approach > closer * fastest;
+                way > 0 ? approach * way > std::max(p.gap, 0.0) + closer : approach > closer * fastest;
             if (acts[i][size_t(k)] || !comes_closer) continue;
             acts[i][size_t(k)] = any = true;
         }
@@ -111,12 +117,13 @@ bool add_what_comes_closer(std::vector<std::vector<bool>>& acts, std::span<const
 
 }  // namespace
 
-double hold(const RigidScene& scene, std::vector<RigidState>& states, std::span<Contact> contacts, double seconds) {
+double hold(const RigidScene& scene, std::vector<RigidState>& states, std::span<Contact> contacts, double seconds,
+            double way) {
     const std::vector<RigidState> before = states;
-    std::vector<std::vector<bool>> acts = first_guess(contacts);
+    std::vector<std::vector<bool>> acts = first_guess(contacts, before, way);
     for (int k = 0;; ++k) {
         ContactRows all;
-        for (size_t i = 0; i < contacts.size(); ++i) add_rows(all, scene, before, contacts[i], acts[i], seconds);
+        for (size_t i = 0; i < contacts.size(); ++i) add_rows(all, scene, before, contacts[i], acts[i], seconds, way);
         states = before;
         const double error = solve_rows(scene, all.rows, states);
         for (Contact& c : contacts)
@@ -124,7 +131,7 @@ double hold(const RigidScene& scene, std::vector<RigidState>& states, std::span<
         if (seconds > 0)
             for (size_t i = 0; i < all.rows.size(); ++i)
                 if (all.points[i]) all.points[i]->force += all.rows[i].linear * (all.rows[i].impulse / seconds);
-        if (k == most_additions || !add_what_comes_closer(acts, contacts, states, seconds)) return error;
+        if (k == most_additions || !add_what_comes_closer(acts, contacts, states, way)) return error;
     }
 }
 

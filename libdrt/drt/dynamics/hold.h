@@ -11,10 +11,10 @@
 
 namespace drt {
 
-/// Changes the velocities of dynamic bodies such that after `seconds` no pair of `contacts` overlaps by more than it
-/// does now; with 0 seconds: that none comes closer. There is no restitution. The contacts' points must be those of the
-/// states' places; their forces are where the solution begins, and become what it found. Returns the largest error that
-/// is left, length / s.
-double hold(const RigidScene&, std::vector<RigidState>&, std::span<Contact> contacts, double seconds);
+/// Changes the velocities of dynamic bodies by what contacts do to them while forces act for `seconds`, such that no
+/// pair overlaps by more than it does now if the bodies then go on for `way` seconds; with 0 seconds: that none comes
+/// closer. There is no restitution. The contacts' points must be those of the states' places; their forces are where
+/// the solution begins, and become what it found. Returns the largest error that is left, length / s.
+double hold(const RigidScene&, std::vector<RigidState>&, std::span<Contact> contacts, double seconds, double way);
 
 }  // namespace drt

@@ -12,7 +12,10 @@ PushedApart push_apart(const RigidScene& scene, const std::vector<Contact>& cont
     std::vector<Row> rows;
     for (const Contact& c : contacts)
         for (const ContactPoint& p : c.points()) {
-            out.deepest = std::max(out.deepest, -p.gap);
+            if (-p.gap > out.deepest) {
+                out.deepest = -p.gap;
+                out.deepest_body = scene.bodies[size_t(c.a)].kind == RigidBody::Kind::dynamic ? c.a : c.b;
+            }
             const Vec3d from_a = p.on_a - states[size_t(c.a)].position, from_b = p.on_b - states[size_t(c.b)].position;
             rows.push_back(push_along(c.a, c.b, p.normal, turning ? from_a : Vec3d{}, turning ? from_b : Vec3d{}));
             rows.back().offset = p.gap;

@@ -42,16 +42,25 @@ constexpr double hold_reach = 0.02;  // corners of bodies that hold each other a
 // Approaches slower than this do not bounce: a share of sqrt(g L), and of the fastest speed there ever was.
 constexpr double slow_falling = 0.02, slow_flying = 1e-6;
 
-constexpr int most_collisions = 10000;  // of one instant: then the rest is inelastic
-constexpr int most_stalls = 20;         // events in a row that take no time: then a step is taken all the same
+constexpr int most_collisions = 2000;  // of one instant: then the rest is inelastic
+constexpr int most_stalls = 20;        // events in a row that take no time: then a step is taken all the same
 
 constexpr double small_overlap = 1e-11;  // is left as it is
 constexpr int most_separations = 3;      // bodies that turn come apart only in the limit
+constexpr double jammed = 0.02;          // deeper than this after that, bodies have no room; for so many steps:
+constexpr int most_jammed_steps = 50;
 
-constexpr int most_events = 500000;  // impacts, or steps in contact: a bake must end
+bool is_finite(const RigidState& s) {
+    return std::isfinite(length_squared(s.velocity)) && std::isfinite(length_squared(s.spin));
+}
+
+// A bake must end. Steps are counted by those that were tried, collisions by rounds, renewals of long tumbling by
+// paths.
+constexpr int most_steps = 1000000, most_collisions_of_all = 500000, most_renewals = 50000;
+constexpr int most_collisions_at_once = 3000;  // within the shortest step: a body is crushed
 
 // A tumbling body's path is integrated from its begin: one that turns farther than this begins anew.
-constexpr double longest_tumble = 4;  // radians
+constexpr double longest_tumble = 0.5;  // radians
 
 class Simulator {
 public:
@@ -82,7 +91,9 @@ public:
         separate_overlaps(false);
         resolve_impacts();
         while (time_ < end_) {
-            if (out_.contact_steps > most_events || out_.impacts.size() > size_t(most_events)) {
+            if (steps_tried_ > most_steps || collisions_ > most_collisions_of_all ||
+                collisions_at_once_ > most_collisions_at_once || jammed_steps_ > most_jammed_steps ||
+                renewals_ > most_renewals || is_lost_) {
                 give_up();
                 break;
             }
@@ -94,13 +105,15 @@ public:
 
 private:
     void give_up() {
-        out_.given_up_at = time_;
+        out_.given_up = trouble_of(jammed_steps_ > 0 ? out_.overlapped.body : last_body_);
         for (size_t i = 0; i < states_.size(); ++i) {
             RigidState still = states_[i];
             still.velocity = still.spin = {};
             out_.tracks[i].push_back({time_, still, {}, false});
         }
     }
+
+    Trouble trouble_of(int i) const { return {time_, i, i < 0 ? 0 : length(states_[size_t(i)].velocity)}; }
 
     const RigidBody& body(int i) const { return scene_.bodies[size_t(i)]; }
     bool moves(int i) const { return body(i).kind == RigidBody::Kind::dynamic; }
@@ -167,7 +180,8 @@ private:
 
     double slow() const { return slow_; }
     void learn_speeds() {
-        for (int i = 0; i < count(); ++i) fastest_ = std::max(fastest_, length(states_[size_t(i)].velocity));
+        for (int i = 0; i < count(); ++i)
+            if (moves(i)) fastest_ = std::max(fastest_, length(states_[size_t(i)].velocity));
         slow_ = std::max(slow_falling * std::sqrt(length(scene_.gravity)), slow_flying * fastest_);
     }
 
@@ -205,7 +219,6 @@ private:
         }
     }
 
-    // Pairs without restitution need no instant of impact once they touch: what holds them also stops them.
     bool bounces(const Contact& c) const { return combined_restitution(body(c.a), body(c.b)) > 0; }
 
     // With those of their points that approach.
@@ -225,17 +238,16 @@ private:
     bool has_landed(const std::vector<Contact>& contacts) const {
         for (const Contact& c : contacts)
             for (const ContactPoint& p : c.points())
-                if (p.gap <= touching && p.approach > slow() && bounces(c)) return true;
+                if (p.gap <= touching && p.approach > slow()) return true;
         return false;
     }
 
     void add_hold(const Contact& c) {
-        const bool bouncy = bounces(c);
-        const auto rests = [&](const ContactPoint& p) { return p.gap <= resting && (p.approach <= slow() || !bouncy); };
+        const auto rests = [&](const ContactPoint& p) { return p.gap <= resting && p.approach <= slow(); };
         if (!std::any_of(c.points().begin(), c.points().end(), rests)) return;
         holding_.push_back(c);
         for (const ContactPoint& p : c.points()) {
-            if (p.approach > slow() && bouncy) landing_ = std::min(landing_, p.gap / p.approach);
+            if (p.approach > slow()) landing_ = std::min(landing_, p.gap / p.approach);
             if (rests(p) && p.approach >= -slow()) {  // what parts fast is free, but may be pushed back
                 holds(c.a, c.b) = true;
                 held_[size_t(c.a)] = held_[size_t(c.a)] || moves(c.a);
@@ -269,10 +281,9 @@ private:
         return out;
     }
 
-    std::vector<Contact> contacts_of_the_middle(const std::vector<RigidState>& states, double h) {
+    std::vector<Contact> held_contacts(const std::vector<RigidState>& states) {
         std::vector<Contact> out = find_contacts(*world_, scene_, states, hold_reach);
         std::erase_if(out, [&](const Contact& c) { return !is_holding(c); });
-        set_gaps_of_begin(out, states, h);
         recall_forces(out, last_held_);
         return out;
     }
@@ -281,54 +292,81 @@ private:
                            [&](const Contact& h) { return h.a == c.a && h.b == c.b; });
     }
 
+    // Of bodies that fly it is in their paths.
+    std::vector<Vec3d> accelerations_of(const std::vector<bool>& held) const {
+        std::vector<Vec3d> out(states_.size());
+        for (size_t i = 0; i < out.size(); ++i)
+            if (held[i]) out[i] = acceleration_[i];
+        return out;
+    }
+    std::vector<bool> all_awake() const {
+        std::vector<bool> out;
+        for (int i = 0; i < count(); ++i) out.push_back(!rest_.asleep(i));
+        return out;
+    }
+
     // Paths of bodies in contact, to this time or one before it where they are thrown about. Returns the time.
     double hold_paths(double until) {
         for (;;) {
             const double h = until - time_;
-            std::vector<RigidState> free = states_of_the_middle(h);
-            std::vector<Contact> middle = contacts_of_the_middle(free, h);
-            for (int i = 0; i < count(); ++i)
-                if (!rest_.asleep(i))
-                    free[size_t(i)].velocity = states_[size_t(i)].velocity + acceleration_[size_t(i)] * h;
-            ContactStep step = contact_step(scene_, states_, holding_, free, middle, h, limits_);
-            ++out_.contact_steps;
-            if (step.is_too_long && h > 1.5 * shortest_step()) {
+            std::vector<RigidState> states = states_of_the_middle(h);
+            std::vector<Contact> contacts = held_contacts(states);
+            set_gaps_of_begin(contacts, states, h);
+            const std::vector<Vec3d> accelerations = accelerations_of(all_awake());
+            ++steps_tried_;
+            const bool short_enough = begin_step(scene_, states, accelerations, contacts, h, limits_);
+            if (!short_enough && h > 1.5 * shortest_step()) {
                 allowed_step_ = std::max(0.5 * h, shortest_step());
                 until = time_ + allowed_step_;
                 continue;
             }
-            for (size_t i = 0; i < states_.size(); ++i) {
-                if (step.held[i]) held_[i] = true;
+            for (int k = 0; k < count(); ++k) {
+                const auto i = size_t(k);
+                if (!moves(k)) continue;
+                const Vec3d free = states_[i].velocity + accelerations[i] * (0.5 * h);
+                if (states[i].velocity != free || states[i].spin != states_[i].spin) held_[i] = true;
                 if (!held_[i]) continue;
-                step_path_[i] = {time_, step.during[i], Vec3d{}, false};
+                step_path_[i] = {time_, states_[i], Vec3d{}, false};
+                step_path_[i].from.velocity = states[i].velocity;
+                step_path_[i].from.spin = states[i].spin;
+                last_body_ = k;
                 changed_[i] = true;
             }
-            after_ = std::move(step.after);
-            last_held_ = std::move(middle);
+            ++out_.contact_steps;
+            for (const Contact& c : contacts) out_.contact_points += c.count;
+            last_held_ = std::move(contacts);
             allowed_step_ = std::min(step_, 2 * allowed_step_);
             return until;
         }
     }
 
+    void end_paths(double h) {
+        std::vector<Contact> contacts = held_contacts(states_);
+        const std::vector<RigidState> old = states_;
+        end_step(scene_, states_, accelerations_of(held_), contacts, h);
+        for (size_t i = 0; i < states_.size(); ++i)
+            if (states_[i].velocity != old[i].velocity || states_[i].spin != old[i].spin) changed_[i] = true;
+        last_held_ = std::move(contacts);
+    }
+
+    void note_overlap(const PushedApart& pushed, bool at_start) {
+        double& deepest = at_start ? out_.deepest_start : out_.deepest_overlap;
+        if (pushed.deepest <= deepest) return;
+        deepest = pushed.deepest;
+        (at_start ? out_.started_in_another : out_.overlapped) = trouble_of(pushed.deepest_body);
+    }
+
     // At the start bodies stay as they are turned.
     void separate_overlaps(bool turning) {
-        for (int round = 0; round < most_separations; ++round) {
+        for (int round = 0; round <= most_separations; ++round) {
             const std::vector<Contact> contacts = find_contacts(*world_, scene_, states_, resting);
-            const bool overlap = std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) {
-                return std::any_of(c.points().begin(), c.points().end(),
-                                   [](const ContactPoint& p) { return p.gap < -small_overlap; });
-            });
-            if (!overlap) return;
+            double deepest = 0;
             for (const Contact& c : contacts)
-                for (const ContactPoint& q : c.points())
-                    if (q.gap < -2e-4)
-                        fprintf(stderr,
-                                " t %.5f r%d deep %d %d held %d %d gap %.3e approach %.3e n %.3f %.3f %.3f at %.3f "
-                                "%.3f %.3f\n",
-                                time_, round, c.a, c.b, int(held_[c.a]), int(held_[c.b]), q.gap, q.approach, q.normal.x,
-                                q.normal.y, q.normal.z, q.on_a.x, q.on_a.y, q.on_a.z);
+                for (const ContactPoint& p : c.points()) deepest = std::max(deepest, -p.gap);
+            if (round == most_separations) jammed_steps_ = deepest > jammed ? jammed_steps_ + 1 : 0;
+            if (deepest <= small_overlap || round == most_separations) return;
             const PushedApart pushed = push_apart(scene_, contacts, states_, turning);
-            out_.deepest_overlap = std::max(out_.deepest_overlap, pushed.deepest);
+            if (round == 0) note_overlap(pushed, !turning);
             for (const int i : pushed.moved) changed_[size_t(i)] = true;
         }
     }
@@ -385,8 +423,12 @@ private:
                 until = std::min(until, std::max(impact, time_));
             }
         }
+        const double h = until - time_;
         move_to(until);
-        if (anything_held()) separate_overlaps(true);
+        if (anything_held()) {
+            separate_overlaps(true);
+            end_paths(h);
+        }
         apply_events();
         if (until >= impact || in_event_) resolve_impacts();
     }
@@ -397,14 +439,19 @@ private:
             const Track& track = is_kinematic(int(i)) ? body(int(i)).course : out_.tracks[i];
             states_[i] = is_kinematic(int(i)) ? state_at(body(int(i)), track, until)
                                               : state_at(body(int(i)), track.back(), until);
-            if (!held_[i]) continue;
-            states_[i].velocity = after_[i].velocity;
-            states_[i].spin = after_[i].spin;
-            changed_[i] = true;
+            if (held_[i]) changed_[i] = true;
         }
         for (int i = 0; i < count(); ++i)
-            if (renewal(i) <= until) changed_[size_t(i)] = true;
+            if (renewal(i) <= until) {
+                changed_[size_t(i)] = true;
+                last_body_ = i;
+                ++renewals_;
+            }
         time_ = until;
+        if (time_ > at_once_until_) {
+            at_once_until_ = time_ + shortest_step();
+            collisions_at_once_ = 0;
+        }
         in_event_ = next_event() <= time_;
     }
 
@@ -436,10 +483,16 @@ private:
         }
     }
 
+    void count_collision() {
+        ++collisions_;
+        ++collisions_at_once_;
+    }
+
     // All that approach at once, then those that approach because of that, and so on (generalized reflections, Smith et
     // al. 2012): Newton's cradle behaves as it does, a rack of balls breaks evenly, and energy never rises.
     void resolve_impacts() {
         learn_speeds();
+        count_collision();
         const double before = kinetic_energy(scene_, states_);
         const std::vector<RigidState> old = states_;
         std::vector<Contact> contacts = find_contacts(*world_, scene_, states_, touching);
@@ -448,11 +501,22 @@ private:
             if (approaching.empty()) break;
             world_->collide(states_, approaching);
             update_approach(contacts, states_);
+            count_collision();
+            last_body_ = moves(approaching[0].a) ? approaching[0].a : approaching[0].b;
         }
-        hold(scene_, states_, contacts, 0);
-        out_.impacts.push_back({time_, before, kinetic_energy(scene_, states_)});
-        for (size_t i = 0; i < states_.size(); ++i)
-            if (states_[i].velocity != old[i].velocity || states_[i].spin != old[i].spin) wake(int(i));
+        hold(scene_, states_, contacts, 0, 0);
+        bool any = false;
+        for (size_t i = 0; i < states_.size(); ++i) {
+            if (!is_finite(states_[i])) {
+                last_body_ = int(i);
+                is_lost_ = true;
+                states_[i] = old[i];
+            }
+            if (states_[i].velocity == old[i].velocity && states_[i].spin == old[i].spin) continue;
+            wake(int(i));
+            any = true;
+        }
+        if (any) out_.impacts.push_back({time_, before, kinetic_energy(scene_, states_)});
         in_touch_ = true;
         learn_speeds();
     }
@@ -470,8 +534,12 @@ private:
     size_t next_event_ = 0;
     bool in_event_ = false;
     int stalls_ = 0;
+    int steps_tried_ = 0, collisions_ = 0, collisions_at_once_ = 0, renewals_ = 0, jammed_steps_ = 0;
+    double at_once_until_ = -never;
+    int last_body_ = -1;    // that anything happened to
+    bool is_lost_ = false;  // a velocity has overflowed
     // By body
-    std::vector<RigidState> states_, after_;  // now; at the end of the step
+    std::vector<RigidState> states_;
     std::vector<Vec3d> acceleration_;
     std::vector<bool> held_, changed_;
     std::vector<Path> step_path_;

@@ -14,13 +14,22 @@ struct Impact {
     double energy_before = 0, energy_after = 0;  ///< kinetic, of all bodies
 };
 
+/// What could not be resolved, and the body that it happened to.
+struct Trouble {
+    static constexpr double never = std::numeric_limits<double>::infinity();
+    double time = never;
+    int body = -1;
+    double speed = 0;  ///< of the body
+};
+
 struct Simulation {
-    static constexpr double never_given_up = std::numeric_limits<double>::infinity();
     std::vector<Track> tracks;  ///< by body
     std::vector<Impact> impacts;
     int contact_steps = 0;
-    double given_up_at = never_given_up;  ///< when there were too many events; from then on all bodies stand still
-    double deepest_overlap = 0;           ///< that a step left and was pushed apart
+    double contact_points = 0;  ///< of all steps together: what they cost
+    Trouble given_up;  ///< too many events, of which this body had the last: from then on all bodies stand still
+    double deepest_start = 0, deepest_overlap = 0;  ///< that bodies start with; that a step left. They are pushed apart
+    Trouble started_in_another, overlapped;         ///< where they are deepest
 };
 
 /// From time `begin` to `end`; `step` is the longest step of bodies in contact, seconds.

@@ -1,5 +1,8 @@
 #pragma once
-// A step of bodies that hold each other: what they move at, and what they move at after it.
+// Steps of bodies that hold each other. Forces act for half a step, the bodies go for a step at the velocities that are
+// theirs then, and forces act for the other half (leapfrog). What contacts allow is asked where it matters: for the
+// way, in the middle of it, so that bodies that tip and roll on each other stay in touch to third order; for the
+// velocity after it, at its end (as RATTLE does for joints, Andersen 1983). A sliding body's way is exact.
 
 #include <span>
 #include <vector>
@@ -7,13 +10,6 @@
 #include "drt/dynamics/contact_world.h"
 
 namespace drt {
-
-struct ContactStep {
-    std::vector<RigidState> during;  ///< velocity and spin are constant during the step; places are its begin's
-    std::vector<RigidState> after;   ///< velocity and spin after it
-    std::vector<bool> held;          ///< does it feel a contact
-    bool is_too_long = false;        ///< bodies turn too far in it, or are thrown about within it
-};
 
 /// How far things may go in a step, lengths in sizes of the smallest moving body: they shrink with the step asked for,
 /// so that halving it halves the steps.
@@ -23,19 +19,21 @@ struct StepLimits {
 };
 StepLimits step_limits(const RigidScene&, double longest_step);
 
-/// `touching`: the contacts at the step's begin, where `states` are. `free`: places of its middle, velocities after it
-/// if nothing touched. `middle`: the same pairs' contacts there, with forces as hold() wants them. Bodies move at the
-/// mean of their velocities before and after: with the contacts of the middle that is second order in the step. Where
-/// contacts set in or end within it, they move at the velocity after it.
-ContactStep contact_step(const RigidScene&, const std::vector<RigidState>& states, std::span<const Contact> touching,
-                         const std::vector<RigidState>& free, std::span<Contact> middle, double seconds,
-                         const StepLimits&);
+/// That turning corners allow, before anything is known of the forces.
+double longest_contact_step(const RigidBody&, const RigidState&, const StepLimits&);
 
-/// Gaps of the middle's contacts become what they were at the step's begin, as far as the velocities tell that:
+/// Gaps of contacts of the middle become what they were at the step's begin, as far as the velocities tell that:
 /// `middle` has its places, and the begin's velocities.
 void set_gaps_of_begin(std::span<Contact>, const std::vector<RigidState>& middle, double seconds);
 
-/// That turning corners allow, before anything is known of the forces.
-double longest_contact_step(const RigidBody&, const RigidState&, const StepLimits&);
+/// The first half: `states` are the begin's velocities at the places of the middle, `contacts` those of the middle with
+/// the gaps of the begin. The velocities become those of the way. False: the step is too long, for bodies turn too far
+/// in it or are thrown about within it.
+bool begin_step(const RigidScene&, std::vector<RigidState>&, const std::vector<Vec3d>& accelerations,
+                std::span<Contact>, double seconds, const StepLimits&);
+
+/// The second half, where the bodies are now.
+void end_step(const RigidScene&, std::vector<RigidState>&, const std::vector<Vec3d>& accelerations, std::span<Contact>,
+              double seconds);
 
 }  // namespace drt
