@@ -170,6 +170,24 @@ TEST(RigidScene, DoesNotStrikeWhatLiesOnABodyInCubicMotion) {
     }
 }
 
+// Where doubles have no digits of that size left, parts do not become ever more.
+TEST(RigidScene, FollowsEnormousCubicMotionAsFarAsDoublesDo) {
+    Body moving = with_physics(sphere({0, 0, 0}, 1), Kind::kinematic);
+    moving.motion =
+        Motion{Motion::Interpolation::cubic,
+               {key(0, {0, 0, 0}), key(0.25, {1e15, 0, 0}), key(0.5, {-1e15, 1e15, 0}), key(1, {0, 0, 1e15})}};
+    Body ball = unit_ball();
+    ball.shape = sphere({3, 0, 0}, 1e-9);
+    const RigidModel m = build({ball, moving});
+    const RigidBody& b = m.scene.bodies[1];
+    EXPECT_LE(b.course.size(), 3u * 200000);
+    for (int i = 0; i <= 100; ++i) {
+        const double t = i / 100.0;
+        const Vec3d at = m.units.to_scene(state_at(b, b.course, t).position);
+        ASSERT_LE(length(at - reference::pose_at(*moving.motion, t).position), 1e-13 * 1e15) << t;
+    }
+}
+
 TEST(RigidScene, LetsKinematicBodiesWithoutMotionStand) {
     const RigidModel m = build({unit_ball(), with_physics(sphere({0, 9, 0}, 1), Kind::kinematic)});
     EXPECT_EQ(m.scene.bodies[1].kind, RigidBody::Kind::fixed);

@@ -12,6 +12,9 @@ namespace {
 Vec3d place(const MotionPiece<double>& p, double s) { return p.c0 + (p.c1 + (p.c2 + p.c3 * s) * s) * s; }
 Vec3d slope(const MotionPiece<double>& p, double s) { return p.c1 + (p.c2 * 2.0 + p.c3 * (3 * s)) * s; }
 
+// That many parabolas follow any cubic to 2e-17 of |c3|: closer than doubles do.
+constexpr double most_parts = 1e5;
+
 // A piece in time: s in [0, 1] takes `seconds` from `begin`.
 struct TimedPiece {
     const MotionPiece<double>& piece;
@@ -27,7 +30,7 @@ public:
         // Two parabolas in place of a cubic with the same ends and slopes differ from it by |c3| / 54 at most.
         const double off = length(p.c3) / (54 * units_.length);
         if (off == 0) return add_path(t, 0, place(p, 0), slope(p, 0), p.c2 * 2.0);
-        const int parts = std::max(1, int(std::ceil(std::cbrt(off / course_tolerance))));
+        const int parts = int(std::clamp(std::ceil(std::cbrt(off / course_tolerance)), 1.0, most_parts));
         for (int i = 0; i < parts; ++i) add_parabolas(t, double(i) / parts, double(i + 1) / parts);
     }
 
