@@ -15,16 +15,18 @@
 #include "drt/bake/bake.h"
 #include "drt/base/version.h"
 #include "drt/formats/formats.h"
+#include "drt/scene/scene_fields.h"
 
 namespace drt {
 namespace {
 
 // Locale-free, and no nan.
-std::string finite_number(std::string& text) {
+std::string simulated_time(std::string& text) {
     double v{};
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), v);
-    const bool read = code == std::errc{} && end == text.data() + text.size() && std::isfinite(v);
-    return read ? std::string() : "expected a number, not \"" + text + '"';
+    const bool read = code == std::errc{} && end == text.data() + text.size() && std::abs(v) <= latest_simulated;
+    return read ? std::string()
+                : fmt::format("expected a number of at most {:g} in size, not \"{}\"", latest_simulated, text);
 }
 
 struct Arguments {
@@ -42,7 +44,21 @@ double simulated_until(const SceneDesc& scene, const std::optional<double>& unti
         throw Error(ErrorKind::usage,
                     "how long is the simulation? No camera's video ends after its start, and the scene has no "
                     "simulation.end; give --until SECONDS");
+    if (!scene.simulation.end && shown > latest_simulated)
+        throw Error(ErrorKind::usage,
+                    fmt::format("how long is the simulation? Cameras show it until t = {:g} s, too long to simulate; "
+                                "give --until SECONDS, at most {:g}",
+                                shown, latest_simulated));
     return shown;
+}
+
+// Where a body gets to may be nothing that a scene can say.
+void check_readable(const SceneDesc& baked) {
+    Diagnostics wrong = validate(baked);
+    std::erase_if(wrong, [](const Diagnostic& d) { return d.severity != Severity::error; });
+    if (wrong.empty()) return;
+    wrong.push_back({Severity::note, {}, "this is of the motion as it was computed", {}, {}, {}});
+    throw Error(ErrorKind::scene, std::move(wrong));
 }
 
 void bake_file(const Arguments& args) {
@@ -52,6 +68,7 @@ void bake_file(const Arguments& args) {
     if (!args.quiet) print(read.notes);
     const Baked baked = bake(read.scene, simulated_until(read.scene, args.until));
     if (!args.quiet) print(baked.notes);
+    check_readable(baked.scene);
     Diagnostics notes = read.notes;
     notes.insert(notes.end(), baked.notes.begin(), baked.notes.end());
     write_yaml(args.output, write_yaml_scene(baked.scene, folder_of_output(args.output),
@@ -67,7 +84,7 @@ void add_arguments(CLI::App& app, Arguments& args) {
         ->required()
         ->option_text("FILE");
     app.add_option("--until", args.until, "scene time to simulate to, for videos without an end")
-        ->check(CLI::Validator(finite_number, ""))
+        ->check(CLI::Validator(simulated_time, ""))
         ->option_text("SECONDS");
     app.add_flag("-q,--quiet", args.quiet, "say nothing but errors");
     add_legacy_options(app, args.legacy);

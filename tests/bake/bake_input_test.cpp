@@ -161,6 +161,17 @@ TEST(BakeInput, OfAnEndlessVideoIsTheSameForManyFrames) {
     EXPECT_EQ(end_of(s, 14.001), 18);
 }
 
+TEST(BakeInput, EndsInTime) {
+    SceneDesc s = flying_ball();
+    s.cameras[0].video_end.reset();
+    EXPECT_EQ(end_of(s, 1e6 - 1), 1e6);
+    EXPECT_EQ(end_of(s, 1e308), 1e6);
+    s.simulation.start = -1e6;
+    EXPECT_EQ(end_of(s, 1e308), 1e6);
+    s.cameras[0].video_end = 1e15;
+    EXPECT_EQ(end_of(s, 0), 1e6);
+}
+
 TEST(BakeInput, FindsTheBodiesAgain) {
     SceneDesc s = rich_scene();
     std::swap(s.bodies[0], s.bodies[3]);

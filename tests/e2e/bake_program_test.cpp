@@ -53,6 +53,37 @@ TEST(BakeProgram, AsksHowLong) {
     EXPECT_TRUE(contains(told.err, "to 1 s"));
 }
 
+TEST(BakeProgram, EndsInTime) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", replaced(physics_scene, "video_end: 2, ", ""));
+    const std::string lasting = folder.write("lasting.yaml", replaced(physics_scene, "video_end: 2", "video_end: 1e9"));
+    for (const std::string until : {"1e308", "-1e308", "1.1e6", "inf"}) {
+        const ProcessResult r = bake({scene, "-o", folder.file("baked.yaml"), "--until", until});
+        EXPECT_EQ(r.exit_code, 2) << until;
+        EXPECT_TRUE(contains(r.err, "expected a number of at most 1e+06 in size, not \"" + until + '"'));
+    }
+    const ProcessResult r = bake({lasting, "-o", folder.file("baked.yaml")});
+    EXPECT_EQ(r.exit_code, 2);
+    EXPECT_TRUE(contains(r.err, "Cameras show it until t = 1e+09 s, too long to simulate; give --until"));
+    EXPECT_EQ(files_in(folder), (std::vector<std::string>{"lasting.yaml", "scene.yaml"}));
+}
+
+TEST(BakeProgram, WritesNothingThatCannotBeRead) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", R"(drt: 1
+simulation: {end: 100, tolerance: 1e6}
+materials: [{name: grey}]
+bodies:
+  - {type: sphere, radius: 1e12, material: grey, physics: {mass: 1, velocity: [1e14, 0, 0]}}
+cameras: [{position: [0, 0, 1e13]}]
+)");
+    const ProcessResult r = bake({scene, "-o", folder.file("baked.yaml")});
+    EXPECT_EQ(r.exit_code, 3);
+    EXPECT_TRUE(contains(r.err, "scene.yaml:5:5: error: position is too large \"[1"));
+    EXPECT_TRUE(contains(r.err, "note: this is of the motion as it was computed\n"));
+    EXPECT_EQ(files_in(folder), (std::vector<std::string>{"scene.yaml"}));
+}
+
 TEST(BakeProgram, SaysWhatIsWrongAndHow) {
     const TempFolder folder;
     const std::string scene = folder.write("scene.yaml", physics_scene), out = folder.file("out.yaml");

@@ -145,9 +145,14 @@ const std::vector<Case> value_cases{
      [](SceneDesc& s) {
          s.simulation = {nan, 1, 0, -1};
      },
-     {"simulation.start: error: start is not finite \"nan\"; expected a number",
+     {"simulation.start: error: start is not finite \"nan\"; expected a number >= -1e+06 and <= 1e+06",
       "simulation.tolerance: error: tolerance is out of range \"0\"; expected a number > 0",
       "simulation.tolerance_pixels: error: tolerance_pixels is out of range \"-1\"; expected a number > 0"}},
+    {"simulation_as_late_as_can_be", [](SceneDesc& s) { s.simulation.start = -1e6, s.simulation.end = 1e6; }, {}},
+    {"simulation_too_late",
+     [](SceneDesc& s) { s.simulation.start = -1.1e6, s.simulation.end = 1e300; },
+     {"simulation.start: error: start is out of range \"-1100000\"; expected a number >= -1e+06 and <= 1e+06",
+      "simulation.end: error: end is out of range \"1e+300\"; expected a number >= -1e+06 and <= 1e+06"}},
     {"simulation_without_time",
      [](SceneDesc& s) { s.simulation.start = 2, s.simulation.end = 2; },
      {"simulation.end: error: the simulation ends before it starts \"2\"; expected more than start 2"}},

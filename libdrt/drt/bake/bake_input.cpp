@@ -7,6 +7,7 @@
 
 #include "drt/base/version.h"
 #include "drt/formats/formats.h"
+#include "drt/scene/scene_fields.h"
 
 namespace drt {
 
@@ -43,7 +44,7 @@ double simulated_end(const SceneDesc& scene, double until) {
     const SimulationSettings& s = scene.simulation;
     if (s.end) return *s.end;
     const double shown = latest_shown(scene);
-    return until > shown ? s.start + rounded_up(until - s.start) : shown;
+    return std::min(until > shown ? s.start + rounded_up(until - s.start) : shown, latest_simulated);
 }
 
 }  // namespace

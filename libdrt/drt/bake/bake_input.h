@@ -16,7 +16,7 @@ struct BakeInput {
 };
 
 /// The scene must have passed validate(). `until`: the latest scene time that is going to be shown; what simulation.end
-/// does not limit is simulated at least that far.
+/// does not limit is simulated at least that far, up to `latest_simulated`.
 BakeInput bake_input(const SceneDesc&, double until);
 
 /// Equal inputs, equal text. Holds the version of drt and of the method, too.

@@ -241,15 +241,19 @@ struct Fields<PhysicsDesc> {
     };
 };
 
+/// Seconds, in size: twelve days. Beyond, time has too few digits left for the moments of impacts.
+inline constexpr double latest_simulated = 1e6;
+
 template <>
 struct Fields<SimulationSettings> {
     static constexpr std::string_view name = "simulation";
     static constexpr std::string_view doc = "How the motion of dynamic bodies is computed.";
     static constexpr auto table = std::tuple{
-        field("start", &SimulationSettings::start, "s", ranges::any,
+        field("start", &SimulationSettings::start, "s", Range{.low = -latest_simulated, .high = latest_simulated},
               "scene time at which the bodies are as described; before it they do not move"),
         implicit("the latest that is shown",
-                 field("end", &SimulationSettings::end, "s", ranges::any, "scene time; after `start`")),
+                 field("end", &SimulationSettings::end, "s", Range{.low = -latest_simulated, .high = latest_simulated},
+                       "scene time; after `start`")),
         implicit("as `tolerance_pixels`", field("tolerance", &SimulationSettings::tolerance, "length", ranges::positive,
                                                 "error that positions may have")),
         field("tolerance_pixels", &SimulationSettings::tolerance_pixels, "pixels", ranges::positive,
