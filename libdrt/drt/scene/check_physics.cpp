@@ -116,8 +116,8 @@ void check_mass(Report& report, const ScenePath& body, const ScenePath& at, cons
                      rounded(least < least_inertia ? least : largest), "a size and mass that make it 1e-60 to 1e60");
 }
 
-// A stack of ten bodies stands under one that is so many times as heavy (tests/dynamics/hold_test.cpp), and not under
-// ten times that.
+// A stack of ten bodies stands under one that is so many times as heavy; more was not tried
+// (tests/dynamics/hold_test.cpp).
 constexpr double largest_ratio = 1e5;
 
 std::string body_text(const SceneDesc& scene, std::size_t i) {
