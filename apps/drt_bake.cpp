@@ -63,10 +63,12 @@ void check_readable(const SceneDesc& baked) {
 
 void bake_file(const Arguments& args) {
     const auto begin = std::chrono::steady_clock::now();
-    check_not_input(args.input, args.output);
+    check_output_name(args.input, args.output);
     const SceneRead read = read_scene(args.input, args.legacy);
     if (!args.quiet) print(read.notes);
-    const Baked baked = bake(read.scene, simulated_until(read.scene, args.until));
+    const double until = simulated_until(read.scene, args.until);
+    check_output_place(read, args.output);
+    const Baked baked = bake(read.scene, until);
     if (!args.quiet) print(baked.notes);
     check_readable(baked.scene);
     Diagnostics notes = read.notes;

@@ -37,8 +37,9 @@ void warn_missing_textures(SceneRead& read) {
 }
 
 void convert(const Arguments& args) {
-    check_not_input(args.input, args.output);
+    check_output_name(args.input, args.output);
     SceneRead read = read_scene(args.input, args.legacy);
+    check_output_place(read, args.output);
     warn_missing_textures(read);
     if (!args.quiet) print(read.notes);
     write_yaml(args.output, write_yaml_scene(read.scene, folder_of_output(args.output),

@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <new>
+#include <span>
 
 #include "apps/exit_codes.h"
+#include "apps/input_files.h"
 #include "apps/standard_streams.h"
 #include "drt/base/atomic_file.h"
 #include "drt/base/version.h"
@@ -18,10 +20,40 @@ void print(const Diagnostics& diagnostics) {
     for (const Diagnostic& d : diagnostics) write_stderr(to_string(d) + '\n');
 }
 
-void check_not_input(const std::string& input, const std::string& output) {
+namespace {
+
+template <class Work>
+void reporting(const std::string& path, const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& e) {
+        throw Error(ErrorKind::output, fmt::format("cannot write {}: {}", path, e.what()));
+    }
+}
+
+// A device or a pipe is written to, not replaced.
+bool is_replaced(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return !fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status);
+}
+
+}  // namespace
+
+void check_output_name(const std::string& input, const std::string& output) {
+    if (output.empty()) throw Error(ErrorKind::usage, "the output has no name; expected a file, or -");
     std::error_code ignored;
     if (output != "-" && fs::equivalent(input, output, ignored))
         throw Error(ErrorKind::usage, fmt::format("the output {} is the input; it is not overwritten", output));
+}
+
+void check_output_place(const SceneRead& read, const std::string& output) {
+    if (output == "-" || !is_replaced(output)) return;
+    check_inputs_kept({FileNames()(output)}, read);
+    reporting(output, [&] {
+        check_replaceable(output);
+        remove_stale_temporaries(output);
+    });
 }
 
 std::string folder_of_output(const std::string& output) {
@@ -41,25 +73,13 @@ std::string yaml_header(const std::string& what, const std::string& program, con
 namespace {
 
 void write_file(const std::string& path, const std::string& text) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
-    try {
-        std::error_code ignored;
-        const fs::file_status status = fs::status(path, ignored);
-        // A device or a pipe is written to, not replaced.
-        if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
-            return write_bytes(path, {bytes, text.size()});
-        check_replaceable(path);
-        replace_file(
-            path,
-            [&](const std::string& temporary) {
-                write_bytes(temporary, {bytes, text.size()});
-            },
-            [&](const std::string& temporary) {
-                if (fs::file_size(temporary) != text.size()) throw std::runtime_error("the file was cut short");
-            });
-    } catch (const std::exception& e) {
-        throw Error(ErrorKind::output, fmt::format("cannot write {}: {}", path, e.what()));
-    }
+    const std::span bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size());
+    if (!is_replaced(path)) return write_bytes(path, bytes);
+    replace_file(
+        path, [&](const std::string& temporary) { write_bytes(temporary, bytes); },
+        [&](const std::string& temporary) {
+            if (fs::file_size(temporary) != text.size()) throw std::runtime_error("the file was cut short");
+        });
 }
 
 }  // namespace
@@ -68,7 +88,7 @@ void write_yaml(const std::string& output, const std::string& text) {
     if (output == "-")
         write_stdout(text);
     else
-        write_file(output, text);
+        reporting(output, [&] { write_file(output, text); });
 }
 
 int run_reporting_errors(const std::function<void()>& work) {

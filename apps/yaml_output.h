@@ -4,15 +4,19 @@
 #include <functional>
 #include <string>
 
-#include "drt/base/diagnostic.h"
+#include "drt/formats/formats.h"
 
 namespace drt {
 
 /// To the standard error, a line each.
 void print(const Diagnostics&);
 
-/// Throws Error (usage) if the output would overwrite the input.
-void check_not_input(const std::string& input, const std::string& output);
+/// Throws Error (usage) if the output has no name or would overwrite the input.
+void check_output_name(const std::string& input, const std::string& output);
+
+/// What is known of the output before there is anything to write. Throws Error (usage) if it would overwrite a file of
+/// the scene, and Error (output) if it cannot be written: no such folder, no permission, a folder itself.
+void check_output_place(const SceneRead&, const std::string& output);
 
 /// The folder that files of the scene are to be named relative to; that of the process for the standard output.
 std::string folder_of_output(const std::string& output);

@@ -158,8 +158,8 @@ int run_program(int argc, char** argv) {
     const FileSet outputs = check_outputs(a);
     const SceneRead read = read_scene(a.scene, a.legacy);
     console.print(read.notes);
+    check_inputs_kept(outputs, read);
     const SceneDesc scene = apply(a, read.scene);
-    check_textures_kept(outputs, scene);
     const std::optional<SceneDesc> baked = bake_physics(a, scene, console);
     TextureCache textures;
     run_frames({a, baked ? *baked : scene, console, scene_hash(scene), textures});

@@ -196,8 +196,10 @@ void take_texts(RenderArguments& a, const Texts& t) {
     if (!t.no_bake_cache) a.bake_cache = t.bake_cache ? *t.bake_cache : default_bake_cache();
     take_numbers(a, t);
     take_choices(a, t);
-    for (const std::string& path : a.outputs)
-        if (path == "-" || path.empty()) usage_error("pictures are written to files, not to", path, "-o out.exr");
+    for (const std::string& path : a.outputs) {
+        if (path.empty()) usage_error("no name after -o", "", "-o out.exr");
+        if (path == "-") usage_error("pictures are written to files, not to", path, "-o out.exr");
+    }
     if (a.outputs.empty() && !a.check && !a.explain)
         usage_error("no output file", "", "-o out.exr (or --check, --explain)");
 }

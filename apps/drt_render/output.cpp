@@ -4,9 +4,8 @@
 #include <xxhash.h>
 
 #include <filesystem>
-#include <unordered_map>
+#include <unordered_set>
 
-#include "drt/base/atomic_file.h"
 #include "drt/base/version.h"
 #include "frames.h"
 
@@ -28,36 +27,6 @@ std::optional<Snapshot> frame_snapshot(const RenderArguments& a, int frame) {
 
 namespace {
 
-// Names files for a FileSet. A million frames lie in one folder, whose own name is found out once.
-class Identifier {
-public:
-    std::string operator()(const std::string& path) {
-        const fs::path p(path);
-        std::error_code ignored;
-        if (fs::is_symlink(p, ignored)) return canonical(p);
-        const auto [folder, fresh] = folders_.try_emplace(p.parent_path().string());
-        if (fresh) folder->second = canonical(p.has_parent_path() ? p.parent_path() : fs::path("."));
-        return (fs::path(folder->second) / p.filename()).string();
-    }
-
-private:
-    static fs::path end_of_links(const fs::path& p) {
-        try {
-            return follow_links(p.string());
-        } catch (const std::system_error&) {
-            return p;
-        }
-    }
-
-    static std::string canonical(const fs::path& p) {
-        std::error_code ignored;  // a name that leads nowhere is its own
-        const fs::path found = fs::weakly_canonical(fs::absolute(end_of_links(p), ignored), ignored);
-        return found.empty() ? p.string() : found.string();
-    }
-
-    std::unordered_map<std::string, std::string> folders_;
-};
-
 [[noreturn]] void path_error(const std::string& what, const std::string& path) {
     throw Error(ErrorKind::usage, {{Severity::error, {}, what, path, "", ""}});
 }
@@ -66,13 +35,13 @@ private:
 // picture after a crash, and cost the old one.
 FileSet output_files(const RenderArguments& a) {
     FileSet files, snapshots;
-    Identifier identify;
+    FileNames name_of;
     for (const int frame : a.frames)
         for (const std::string& path : output_paths(a, frame))
-            if (!files.insert(identify(path)).second) path_error("two outputs have the same path", path);
+            if (!files.insert(name_of(path)).second) path_error("two outputs have the same path", path);
     for (const int frame : a.frames)
         if (const auto snapshot = frame_snapshot(a, frame)) {
-            const std::string file = identify(snapshot->path);
+            const std::string file = name_of(snapshot->path);
             if (files.count(file) > 0) path_error("the snapshot is also an output", snapshot->path);
             snapshots.insert(file);
         }
@@ -101,19 +70,13 @@ private:
 
 FileSet check_outputs(const RenderArguments& a) {
     FileSet files = output_files(a);
-    if (files.count(Identifier()(a.scene)) > 0) path_error("the output is the scene file", a.scene);
+    if (files.count(FileNames()(a.scene)) > 0) path_error("the output is the scene file", a.scene);
     WritableCheck check;
     for (const int frame : a.frames) {
         for (const std::string& path : output_paths(a, frame)) check(path);
         if (const auto snapshot = frame_snapshot(a, frame)) check(snapshot->path);
     }
     return files;
-}
-
-void check_textures_kept(const FileSet& outputs, const SceneDesc& scene) {
-    Identifier identify;
-    for (const Texture& t : scene.textures)
-        if (outputs.count(identify(t.file)) > 0) path_error("the output is a texture of the scene", t.file);
 }
 
 std::string scene_hash(const SceneDesc& scene) {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
+#include "apps/input_files.h"
 #include "drt/render/render.h"
 #include "options.h"
 
@@ -26,16 +26,10 @@ struct OutputInfo {
 std::vector<std::string> output_paths(const RenderArguments&, int frame);
 std::optional<Snapshot> frame_snapshot(const RenderArguments&, int frame);
 
-/// Names of files, one for each file, whatever links and dots lead to it.
-using FileSet = std::unordered_set<std::string>;
-
 /// Before anything is read or rendered: all files that the run will write. Throws Error (output) for what cannot be
 /// written, and Error (usage) when two pictures, or a picture and the snapshot, have the same path or one has the
 /// scene's.
 FileSet check_outputs(const RenderArguments&);
-
-/// Throws Error (usage) when a picture would replace one of the scene's textures.
-void check_textures_kept(const FileSet& outputs, const SceneDesc&);
 
 /// drt:version, drt:isa, drt:precision, drt:sceneHash, drt:spp, drt:seed, drt:frame, drt:videoTime, drt:sceneTime and
 /// drt:sceneTimeClose (when the shutter opens and closes, in the scene's seconds), drt:renderSeconds, and, when known,

@@ -3,4 +3,4 @@ drt_add_test(test_e2e_bake SOURCES bake_program_test.cpp render_physics_test.cpp
 target_compile_definitions(test_e2e_bake PRIVATE
   DRT_RENDER="$<TARGET_FILE:drt-render>" DRT_CONVERT="$<TARGET_FILE:drt-convert>" DRT_BAKE="$<TARGET_FILE:drt-bake>"
   DRT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
-add_dependencies(test_e2e_bake drt-render drt-bake)
+add_dependencies(test_e2e_bake drt-render drt-bake drt-convert)

@@ -101,6 +101,57 @@ TEST(BakeProgram, SaysWhatIsWrongAndHow) {
     EXPECT_EQ(read_bytes(out), "");
 }
 
+TEST(BakeProgram, NeverOverwritesWhatTheSceneIsMadeOf) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", "drt: 1\ninclude: parts/common.yaml\n");
+    const std::string common = replaced(physics_scene, "bodies:\n",
+                                        "textures: [{name: wood, file: wood.png}]\nbodies:\n"
+                                        "  - {name: set, type: sphere_set, file: balls.txt, material: red}\n");
+    folder.write("parts/common.yaml", common);
+    folder.write("parts/wood.png", "wood");
+    folder.write("parts/balls.txt", "0 0 0 1\n");
+    std::filesystem::create_symlink("parts/common.yaml", folder.path() / "link.yaml");
+    for (const std::string name : {"parts/common.yaml", "parts/../parts/./common.yaml", "link.yaml", "parts/wood.png",
+                                   "parts/balls.txt", "scene.yaml"}) {
+        const ProcessResult r = bake({scene, "-o", folder.file(name)});
+        EXPECT_EQ(r.exit_code, 2) << name << r.err;
+        EXPECT_TRUE(contains(r.err, "error: the output "));
+        const ProcessResult converted = test::run_process(DRT_CONVERT, {scene, "-o", folder.file(name)});
+        EXPECT_EQ(converted.exit_code, 2) << name << converted.err;
+    }
+    EXPECT_EQ(read_bytes(folder.file("parts/common.yaml")), common);
+    EXPECT_EQ(read_bytes(folder.file("parts/wood.png")), "wood");
+    EXPECT_EQ(read_bytes(folder.file("parts/balls.txt")), "0 0 0 1\n");
+}
+
+TEST(BakeProgram, AsksForANameOfTheOutput) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", physics_scene);
+    for (const std::string& program : {std::string(DRT_BAKE), std::string(DRT_CONVERT)})
+        for (const std::vector<std::string>& name : {std::vector<std::string>{"-o", ""}, {"--output="}}) {
+            std::vector<std::string> line{scene};
+            line.insert(line.end(), name.begin(), name.end());
+            const ProcessResult r = test::run_process(program, line);
+            EXPECT_EQ(r.exit_code, 2) << program << r.err;
+            EXPECT_EQ(r.err.find("error: "), 0u) << program << r.err;
+        }
+}
+
+// Would simulate for minutes: what is found out in the time this test has was found out before.
+TEST(BakeProgram, FindsUnwritableOutputsBeforeItSimulates) {
+    const TempFolder folder;
+    const std::string scene = folder.write("scene.yaml", endless_physics_scene());
+    std::filesystem::create_directory(folder.path() / "folder.yaml");
+    for (const std::string& out : {folder.file("none/out.yaml"), folder.file("folder.yaml"), folder.path().string(),
+                                   scene + "/out.yaml", std::string("/proc/out.yaml")}) {
+        const ProcessResult r =
+            test::run_process(DRT_BAKE, {scene, "-o", out}, {.folder = {}, .stdout_file = {}, .timeout = 20});
+        EXPECT_EQ(r.exit_code, 5) << out << r.err;
+        EXPECT_TRUE(contains(r.err, "error: cannot write " + out + ": "));
+    }
+    EXPECT_EQ(files_in(folder), (std::vector<std::string>{"folder.yaml", "scene.yaml"}));
+}
+
 // Addresses differ from process to process (and the environment here): nothing may depend on them.
 TEST(BakeProgram, WritesTheSameBitsInEveryProcess) {
     const TempFolder folder;

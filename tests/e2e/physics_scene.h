@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "drt/base/vec.h"
+
 namespace drt {
 
 /// A bouncing ball, a box that it pushes, and a door in motion, seen by a camera for two seconds of ten frames each.
@@ -28,9 +30,31 @@ cameras:
   - {name: main, video_end: 2, position: [0, 2, 8], target: [0, 1, 0], fov_degrees: 40}
 )";
 
-/// `text` with one part replaced.
-inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
-    return text.replace(text.find(part), part.size(), by);
+/// Balls in a box that never lose speed: minutes of simulation.
+inline std::string endless_physics_scene() {
+    std::string text = R"(drt: 1
+gravity: [0, 0, 0]
+simulation: {tolerance: 1e-6, end: 1e6}
+materials: [{name: red, ambient: [0.7, 0.1, 0.08]}]
+cameras: [{position: [0, 0, 8]}]
+bodies:
+)";
+    const auto numbers = [](double x, double y, double z) {
+        return '[' + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + ']';
+    };
+    for (int i = 0; i < 18; ++i)
+        text += "  - {type: sphere, radius: 0.5, center: " +
+                numbers(i % 3 * 1.3 - 1.3, i / 3 % 3 * 1.3 - 1.3, i / 9 * 1.3) +
+                ", material: red, physics: {restitution: 1, friction: 0, velocity: " +
+                numbers(1 + i % 5, i % 4 - 2, i % 7 - 3) + "}}\n";
+    for (int side = 0; side < 6; ++side) {
+        const double way = side % 2 ? 1 : -1;
+        const Vec3d normal{side / 2 == 0 ? way : 0, side / 2 == 1 ? way : 0, side / 2 == 2 ? way : 0};
+        text += "  - {type: plane, position: " + numbers(-2 * normal.x, -2 * normal.y, -2 * normal.z) +
+                ", normal: " + numbers(normal.x, normal.y, normal.z) +
+                ", material: red, physics: {kind: static, friction: 0}}\n";
+    }
+    return text;
 }
 
 }  // namespace drt

@@ -33,6 +33,11 @@ std::map<std::string, MetadataValue> exr_attributes(const std::string& path);
 
 std::vector<std::string> files_in(const TempFolder&);
 
+/// `text` with one part replaced.
+inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
+    return text.replace(text.find(part), part.size(), by);
+}
+
 inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
     if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
     return testing::AssertionFailure() << "\"" << part << "\" is not in:\n" << text;

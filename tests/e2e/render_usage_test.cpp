@@ -64,6 +64,11 @@ TEST(RenderUsage, NeverOverwritesItsInputsOrItself) {
     std::string textured = small_scene;
     textured += "textures:\n  - {name: wood, file: wood.png}\n";
     const std::string scene = folder.write("scene.yaml", textured), wood = folder.write("wood.png", "precious");
+    folder.write("part.png", "drt: 1\n");
+    folder.write("balls.png", "0 0 0 1\n");
+    const std::string parted = folder.write("parted.yaml", small_scene + "include: part.png\n");
+    const std::string set =
+        folder.write("set.yaml", replaced(small_scene, "type: plane", "type: sphere_set, file: balls.png"));
     const std::string png_scene = folder.write("legacy.png", "settings { }");
     std::filesystem::create_symlink(scene, folder.path() / "link.png");
     std::filesystem::create_directory_symlink(folder.path(), folder.path() / "here");
@@ -73,6 +78,9 @@ TEST(RenderUsage, NeverOverwritesItsInputsOrItself) {
         {scene, "-o", folder.file("link.png")},
         {scene, "-o", wood},
         {scene, "-o", folder.file("here/wood.png")},
+        {scene, "-o", ""},
+        {parted, "-o", folder.file("part.png")},
+        {set, "-o", folder.file("balls.png")},
         {scene, "-o", a, "--snapshot", wood},
         {scene, "-o", a, "--snapshot", folder.file("here/a.png:5")},
         {scene, "-o", folder.file("#.png"), "--snapshot", folder.file("1.png"), "--frames", "0-1"},
@@ -86,6 +94,8 @@ TEST(RenderUsage, NeverOverwritesItsInputsOrItself) {
         EXPECT_EQ(r.exit_code, 2) << testing::PrintToString(line) << '\n' << r.err;
     }
     EXPECT_EQ(read_bytes(wood), "precious");
+    EXPECT_EQ(read_bytes(folder.file("part.png")), "drt: 1\n");
+    EXPECT_EQ(read_bytes(folder.file("balls.png")), "0 0 0 1\n");
     EXPECT_EQ(read_bytes(scene), textured);
     EXPECT_FALSE(std::filesystem::exists(a));
 }

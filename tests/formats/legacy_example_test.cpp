@@ -105,6 +105,7 @@ TEST(LegacyExample, KnowsWhereThingsWereWritten) {
 
 TEST(LegacyExample, TellsEveryDefaultAndAssumption) {
     const SceneRead read = read_legacy_scene(example);
+    EXPECT_EQ(read.files, std::vector<std::string>{example});
     std::string text;
     for (const Diagnostic& d : read.notes) {
         EXPECT_NE(d.severity, Severity::error);

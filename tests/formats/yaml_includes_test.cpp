@@ -47,6 +47,7 @@ TEST(YamlIncludes, ListsAreJoinedAndFilesResolvedWhereTheyAreNamed) {
     EXPECT_EQ(scene.sources.find("bodies[0].radius"), (Location{path, 7, 43}));
     EXPECT_EQ(scene.sources.find("materials[1].texture"), (Location{files.path("parts/paint.yaml"), 6, 29}));
     EXPECT_EQ(scene.sources.find("materials[2].name"), (Location{path, 5, 11}));
+    EXPECT_EQ(read.files, (std::vector<std::string>{path, files.path("parts/paint.yaml"), files.path("camera.yml")}));
     ASSERT_EQ(read.notes.size(), 1u);
     EXPECT_EQ(files.without_folder(to_string(read.notes[0])),
               "scene.yaml:9:38: warning: 'right' and 'left' record at the same time; 'left' comes first and does");

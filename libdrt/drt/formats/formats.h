@@ -2,6 +2,7 @@
 // Scene files. Both formats are sources of the same SceneDesc.
 
 #include <string>
+#include <vector>
 
 #include "drt/scene/scene_desc.h"
 
@@ -21,7 +22,8 @@ struct LegacyOptions {
 
 struct SceneRead {
     SceneDesc scene;
-    Diagnostics notes;  ///< warnings and notes: defaults used, assumptions made
+    Diagnostics notes;               ///< warnings and notes: defaults used, assumptions made
+    std::vector<std::string> files;  ///< that were read: the scene's own and then those that it includes
 };
 
 /// Reads a scene of either format: YAML when the name ends in .yaml or .yml, legacy text otherwise. The result has

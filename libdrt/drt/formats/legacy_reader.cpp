@@ -55,6 +55,7 @@ SceneRead read_legacy_bytes(std::string bytes, const std::string& path, const Le
         std::erase_if(result.notes, [](const Diagnostic& d) { return d.severity != Severity::error; });
         throw Error(ErrorKind::scene, std::move(result.notes));
     }
+    result.files = {path};
     return result;
 }
 

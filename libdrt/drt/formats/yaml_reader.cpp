@@ -32,6 +32,7 @@ private:
 
     SceneDesc scene_;
     Diagnostics errors_, notes_;
+    std::vector<std::string> files_;
     std::vector<fs::path> including_;  // the chain of files being read
     std::set<fs::path> seen_;
     bool has_whole_scene_ = true;  // no file and no section is missing: what refers to nothing is an error
@@ -43,7 +44,7 @@ SceneRead SceneFiles::read(const std::string& path) {
     read_file_at(path, {path, 0, 0});
     if (has_whole_scene_) check_values();
     if (!errors_.empty()) fail();
-    return {std::move(scene_), std::move(notes_)};
+    return {std::move(scene_), std::move(notes_), std::move(files_)};
 }
 
 fs::path identity_of(const std::string& path) {
@@ -55,6 +56,7 @@ fs::path identity_of(const std::string& path) {
 void SceneFiles::read_file_at(const std::string& path, const Location& named_at) {
     const FileText file = read_file(path, largest_file);
     if (!file.problem.empty()) return report_unreadable(path, named_at, file);
+    files_.push_back(path);
     const fs::path identity = identity_of(path);
     seen_.insert(identity);
     including_.push_back(identity);
