@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 
 #include "bake/bake_scenes.h"
+#include "drt/bake/cache_folder.h"
 #include "support/process.h"
 
 namespace drt {
@@ -94,6 +98,64 @@ TEST(BakeCache, DoesNotTakeTheFileOfAnotherScene) {
     other.scene.bodies[0].physics->velocity = {2, 0, 0};
     const CachedMotion other_kept = cached_motion(other, cache);
     expect_rebuilt(cache, good, read_bytes(other_kept.file), "another scene's");
+}
+
+// Nor does it wait for a pipe to be written to, or follow a link.
+TEST(BakeCache, TouchesOnlyFiles) {
+    const TempFolder folder;
+    const std::string cache = folder.file("cache"), precious = folder.write("precious", "precious");
+    const CachedMotion good = cached_motion(small_input(), cache);
+    const auto expect_refused = [&](const std::string& why) {
+        const CachedMotion again = cached_motion(small_input(), cache);
+        EXPECT_EQ(again.motion, good.motion);
+        EXPECT_EQ(again.found_not_because, why);
+        EXPECT_EQ(again.kept_not_because, why);
+        std::filesystem::remove_all(good.file);
+    };
+    std::filesystem::remove(good.file);
+    ASSERT_EQ(mkfifo(good.file.c_str(), 0600), 0);
+    expect_refused("it is not a regular file");
+    ASSERT_EQ(mkfifo(folder.file("pipe").c_str(), 0600), 0);
+    for (const std::string target : {"pipe", "precious", "absent"}) {
+        std::filesystem::create_symlink(folder.file(target), good.file);
+        expect_refused("it is not a regular file");
+    }
+    std::filesystem::create_directories(good.file + "/inside");
+    expect_refused("it is a folder");
+    EXPECT_EQ(read_bytes(precious), "precious");
+    EXPECT_FALSE(std::filesystem::exists(folder.file("absent")));
+}
+
+TEST(BakeCache, DoesNotReadEnormousFiles) {
+    const TempFolder folder;
+    const std::string cache = folder.file("cache");
+    const CachedMotion good = cached_motion(small_input(), cache);
+    std::filesystem::resize_file(good.file, largest_bake_file + 1);  // of which nothing is on the disk
+    const CachedMotion again = cached_motion(small_input(), cache);
+    EXPECT_EQ(again.motion, good.motion);
+    EXPECT_EQ(again.found_not_because, "it is too large");
+    EXPECT_TRUE(cached_motion(small_input(), cache).found);
+}
+
+TEST(BakeCache, NotesEveryUse) {
+    const TempFolder folder;
+    const CachedMotion kept = cached_motion(small_input(), folder.file("cache"));
+    const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1000);
+    std::filesystem::last_write_time(kept.file, old);
+    EXPECT_TRUE(cached_motion(small_input(), folder.file("cache")).found);
+    EXPECT_GT(std::filesystem::last_write_time(kept.file), old + std::chrono::hours(999));
+}
+
+TEST(BakeCache, DoesNotGrowForEver) {
+    const TempFolder folder;
+    const std::string cache = folder.file("cache");
+    for (int i = 0; i < 1005; ++i)
+        folder.write("cache/" + std::string(28, 'a') + std::to_string(1000 + i) + ".bake",
+                     std::string(bake_file_magic));
+    const CachedMotion kept = cached_motion(small_input(), cache);
+    EXPECT_EQ(kept.kept_not_because, "");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(cache), std::filesystem::directory_iterator()), 1000);
+    EXPECT_TRUE(cached_motion(small_input(), cache).found);
 }
 
 TEST(BakeCache, IsNotNeeded) {

@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "drt/bake/cache_folder.h"
 #include "drt/base/atomic_file.h"
 
 namespace drt {
@@ -120,14 +121,12 @@ void walk(Bytes& b, BakedMotion& m) {
 
 // ---- files ---------------------------------------------------------------------------------------------------------
 
-constexpr std::string_view magic = "drt bake\n";
-
 std::uint64_t checksum(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
-// magic, key, motion, checksum of all before.
+// Magic, key, motion, checksum of all before.
 std::string to_bytes(const std::string& key, BakedMotion motion) {
     ByteWriter w;
-    w.bytes = magic;
+    w.bytes = bake_file_magic;
     w.text(key);
     walk(w, motion);
     w.number(checksum(w.bytes));
@@ -136,13 +135,13 @@ std::string to_bytes(const std::string& key, BakedMotion motion) {
 
 // Nothing is believed before the checksum agrees.
 BakedMotion from_bytes(const std::string& key, std::string_view bytes) {
-    if (!bytes.starts_with(magic)) throw std::runtime_error("it is something else");
-    if (bytes.size() < magic.size() + sizeof(std::uint64_t)) throw std::runtime_error("it is cut short");
+    if (!bytes.starts_with(bake_file_magic)) throw std::runtime_error("it is something else");
+    if (bytes.size() < bake_file_magic.size() + sizeof(std::uint64_t)) throw std::runtime_error("it is cut short");
     const std::string_view body = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
     std::uint64_t sum = 0;
     std::memcpy(&sum, bytes.data() + body.size(), sizeof sum);
     if (sum != checksum(body)) throw std::runtime_error("it is damaged");
-    ByteReader r(body.substr(magic.size()));
+    ByteReader r(body.substr(bake_file_magic.size()));
     std::string found_key;
     r.text(found_key);
     if (found_key != key) throw std::runtime_error("it belongs to another scene");
@@ -154,13 +153,23 @@ BakedMotion from_bytes(const std::string& key, std::string_view bytes) {
 
 std::string read_file(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw std::runtime_error(fs::exists(path) ? "it cannot be read" : "there is none");
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    if (in.bad()) throw std::runtime_error("it cannot be read");
+    if (!in) throw std::runtime_error("it cannot be read");
+    std::string bytes(fs::file_size(path), '\0');
+    if (!in.read(bytes.data(), std::streamsize(bytes.size()))) throw std::runtime_error("it cannot be read");
     return bytes;
 }
 
-void write_file(const std::string& path, const std::string& bytes) {
+BakedMotion find(const std::string& path, const std::string& key) {
+    if (!is_bake_file_there(path)) throw std::runtime_error("there is none");
+    if (fs::file_size(path) > largest_bake_file) throw std::runtime_error("it is too large");
+    BakedMotion motion = from_bytes(key, read_file(path));
+    note_use(path);
+    return motion;
+}
+
+void keep(const std::string& path, const std::string& bytes) {
+    if (bytes.size() > largest_bake_file) throw std::runtime_error("it is too large");
+    is_bake_file_there(path);  // what is no file is not replaced
     replace_file(
         path,
         [&](const std::string& temporary) {
@@ -195,9 +204,9 @@ CachedMotion cached_motion(const BakeInput& in, const std::string& folder) {
         return out;
     }
     const std::string key = hex_hash(input_text(in));
-    out.file = (fs::path(folder) / (key + ".bake")).string();
+    out.file = bake_file_path(folder, key);
     try {
-        out.motion = from_bytes(key, read_file(out.file));
+        out.motion = find(out.file, key);
         out.found = true;
         return out;
     } catch (const std::exception& e) {
@@ -206,7 +215,8 @@ CachedMotion cached_motion(const BakeInput& in, const std::string& folder) {
     out.motion = compute_motion(in);
     try {
         fs::create_directories(folder);
-        write_file(out.file, to_bytes(key, out.motion));
+        keep(out.file, to_bytes(key, out.motion));
+        prune_cache(folder);
     } catch (const std::exception& e) {
         out.kept_not_because = e.what();
     }

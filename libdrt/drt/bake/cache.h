@@ -17,8 +17,9 @@ struct CachedMotion {
     std::string kept_not_because;   ///< why it could not be written; else empty
 };
 
-/// The motion from `folder`, or else computed and kept there. A file that is damaged, cut short or something else is
-/// replaced; a folder that cannot be made or written to is no error. With folder "" nothing is sought or kept.
+/// The motion from `folder`, or else computed and kept there; then the folder is pruned (cache_folder.h). A file that
+/// is damaged, cut short or something else is replaced; what is no file stays, and a folder that cannot be made or
+/// written to is no error. With folder "" nothing is sought or kept.
 CachedMotion cached_motion(const BakeInput&, const std::string& folder);
 
 }  // namespace drt
