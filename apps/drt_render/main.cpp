@@ -160,7 +160,8 @@ int run_program(int argc, char** argv) {
     console.print(read.notes);
     check_inputs_kept(outputs, read);
     const SceneDesc scene = apply(a, read.scene);
-    const std::optional<SceneDesc> baked = bake_physics(a, scene, console);
+    std::optional<SceneDesc> baked;
+    if (!a.check || a.explain) baked = bake_physics(a, scene, console);
     TextureCache textures;
     run_frames({a, baked ? *baked : scene, console, scene_hash(scene), textures});
     if (received_signal() == SIGTERM) return exit_terminated;

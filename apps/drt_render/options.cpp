@@ -139,8 +139,11 @@ void add_run_options(CLI::App& app, RenderArguments& a, Texts& t) {
                    "Folder where motion computed from physics is kept (default: $XDG_CACHE_HOME/drt or ~/.cache/drt)")
         ->option_text("DIR");
     app.add_flag("--no-bake-cache", t.no_bake_cache, "Compute motion from physics anew and do not keep it");
-    app.add_flag("--explain", a.explain, "Print what the plan leaves out and why, to the standard output");
-    app.add_flag("--check", a.check, "Do everything but render: read the scene and its textures, check the outputs");
+    app.add_flag("--explain", a.explain,
+                 "Print what the plan leaves out and why, to the standard output; computes motion from physics, even "
+                 "with --check");
+    app.add_flag("--check", a.check,
+                 "Neither compute motion from physics nor render: read the scene and its textures, check the outputs");
     app.add_option("--progress", t.progress, "auto (default), bar, plain or none")
         ->check(CLI::IsMember({"auto", "bar", "plain", "none"}))
         ->option_text("auto|bar|plain|none");

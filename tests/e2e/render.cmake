@@ -20,7 +20,7 @@ file(GLOB scenes CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOUR
   ${PROJECT_SOURCE_DIR}/scenes/legacy/*.txt ${PROJECT_SOURCE_DIR}/benchmarks/mitsuba/scenes/*.yaml)
 list(FILTER scenes EXCLUDE REGEX "-common\\.yaml$|/bodies\\.yaml$")
 foreach(scene IN LISTS scenes)
-  add_test(NAME check:${scene} COMMAND drt-render --check --no-bake-cache ${scene} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  add_test(NAME check:${scene} COMMAND drt-render --check ${scene} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(check:${scene} PROPERTIES FAIL_REGULAR_EXPRESSION "warning:|error:")
 endforeach()
 # The manual's own example has no light, as drt says.

@@ -37,7 +37,7 @@ endif()
 # Physics is the business of a library that is loaded when it is needed; without it that is said.
 file(WRITE ${WORK_DIR}/physics.yaml "drt: 1\nambient_light: 1\nmaterials: [{name: grey}]\ncameras: [{video_end: 1}]\n"
   "bodies: [{type: sphere, material: grey, physics: {}}]\n")
-set(render ${WORK_DIR}/prefix/bin/drt-render --check --no-bake-cache ${WORK_DIR}/physics.yaml)
+set(render ${WORK_DIR}/prefix/bin/drt-render --explain --no-bake-cache ${WORK_DIR}/physics.yaml)
 run(${render})
 file(GLOB_RECURSE loaded ${WORK_DIR}/prefix/libdrt-bullet.so)
 file(REMOVE ${loaded})
