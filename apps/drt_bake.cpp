@@ -92,7 +92,8 @@ void add_arguments(CLI::App& app, Arguments& args) {
     add_legacy_options(app, args.legacy);
     app.footer(
         "Exit codes: 0 done, 1 internal error, 2 wrong command line, 3 invalid scene, 4 input missing or unreadable,\n"
-        "5 output not writable. What is computed and how exactly: docs/baking.md");
+        "5 output not writable. A signal ends it at once, and nothing is written. What is computed and how exactly: "
+        "docs/baking.md");
 }
 
 int run(int argc, char** argv) {

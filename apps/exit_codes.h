@@ -13,7 +13,7 @@ enum ExitCode : int {
     exit_scene = 3,        ///< the scene is invalid; every message has been printed
     exit_input = 4,        ///< an input file is missing or unreadable
     exit_output = 5,       ///< the output cannot be written
-    exit_terminated = 75,  ///< stopped by SIGTERM; the picture so far has been written (EX_TEMPFAIL: try again)
+    exit_terminated = 75,  ///< stopped by SIGTERM, with the picture so far if any (EX_TEMPFAIL: try again)
 };
 
 ExitCode exit_code(ErrorKind);

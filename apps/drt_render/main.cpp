@@ -142,7 +142,7 @@ void run_frames(const Job& job) {
                                          a.frames.size()));
         return;
     }
-    install_signal_handlers();
+    let_signals_stop_rendering();
     for (const int frame : a.frames) {
         render_frame(job, frame);
         if (received_signal() != 0) return;
@@ -151,6 +151,7 @@ void run_frames(const Job& job) {
 
 int run_program(int argc, char** argv) {
     prepare_standard_streams();
+    install_signal_handlers();
     const auto parsed = parse_arguments(argc, argv);
     if (!parsed) return exit_ok;
     const RenderArguments& a = *parsed;

@@ -85,7 +85,8 @@ struct Texts {
 
 const char* const footer =
     "An option given several times counts as given last, but for -o.\n"
-    "Ctrl-C and SIGTERM finish the tiles at hand and write the picture; a second one ends the program at once.\n"
+    "Ctrl-C and SIGTERM finish the tiles at hand and write the picture; a second one, and one before rendering has\n"
+    "begun, ends the program at once.\n"
     "Exit codes: 0 done, 1 internal error, 2 wrong command line, 3 invalid scene, 4 input missing or unreadable,\n"
     "5 output not writable, 75 stopped by SIGTERM, 130 stopped by Ctrl-C";
 

@@ -8,7 +8,9 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 namespace drt {
 
@@ -71,6 +73,16 @@ std::map<std::string, MetadataValue> exr_attributes(const std::string& path) {
         take(i.name(), i.attribute(), double());
     }
     return out;
+}
+
+bool wait_until(const std::function<bool()>& condition) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::seconds(30);
+    while (Clock::now() < end) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
 }
 
 std::vector<std::string> files_in(const TempFolder& folder) {

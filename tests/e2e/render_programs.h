@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ Image render_exr(const TempFolder&, const std::string& name, std::vector<std::st
 
 /// The texts and numbers among the attributes of an EXR file.
 std::map<std::string, MetadataValue> exr_attributes(const std::string& path);
+
+/// Whether it comes true within 30 seconds.
+bool wait_until(const std::function<bool()>& condition);
 
 std::vector<std::string> files_in(const TempFolder&);
 

@@ -2,9 +2,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <thread>
 
 #include "render_programs.h"
 
@@ -14,15 +12,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 const std::string endless = "16777216";
-
-bool wait_until(const std::function<bool()>& condition) {
-    const auto end = Clock::now() + std::chrono::seconds(30);
-    while (Clock::now() < end) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
-}
 
 class RenderStops : public testing::Test {
 protected:

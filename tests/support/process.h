@@ -49,6 +49,7 @@ public:
     RunningProcess(const RunningProcess&) = delete;
     RunningProcess& operator=(const RunningProcess&) = delete;
 
+    int id() const { return pid_; }
     void send(int signal) const;
     std::string err_so_far() const { return read_bytes(streams_.file("err")); }
     ProcessResult wait();
