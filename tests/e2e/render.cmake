@@ -15,12 +15,14 @@ target_compile_definitions(test_e2e_million PRIVATE
   DRT_RENDER="$<TARGET_FILE:drt-render>" DRT_CONVERT="$<TARGET_FILE:drt-convert>")
 add_dependencies(test_e2e_million drt-render)
 
-# Every scene of the repository is read and checked without a word. (*-common.yaml and bodies.yaml are parts of others.)
+# Every scene of the repository is read, simulated and checked without a word. (*-common.yaml and bodies.yaml are parts of
+# others.)
 file(GLOB scenes CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/scenes/*.yaml
   ${PROJECT_SOURCE_DIR}/scenes/legacy/*.txt ${PROJECT_SOURCE_DIR}/benchmarks/mitsuba/scenes/*.yaml)
 list(FILTER scenes EXCLUDE REGEX "-common\\.yaml$|/bodies\\.yaml$")
 foreach(scene IN LISTS scenes)
-  add_test(NAME check:${scene} COMMAND drt-render --check ${scene} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  add_test(NAME check:${scene} COMMAND drt-render --check --explain --no-bake-cache ${scene}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_tests_properties(check:${scene} PROPERTIES FAIL_REGULAR_EXPRESSION "warning:|error:")
 endforeach()
 # The manual's own example has no light, as drt says.
