@@ -49,6 +49,9 @@ done
 for frame in 0 2 4 7; do
     render "bounce-$frame" bounce.yaml --frame "$frame"
 done
+for frame in 2 4 6 9; do
+    render "dominoes-$frame" dominoes.yaml --frame "$frame"
+done
 render heavy-on-light heavy-on-light.yaml --frame 39
 render_sheet break break.yaml 0 15
 render still-life legacy/still-life.txt

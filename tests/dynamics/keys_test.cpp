@@ -57,6 +57,14 @@ TEST(Keys, StandAtEveryBounce) {
     for (const MotionKey& k : keys) EXPECT_GE(k.position.y, 1 - 1e-9);  // never in the floor
 }
 
+// Of a body so fast that its places are coarser than the tolerance.
+TEST(Keys, AreNotFinerThanNumbers) {
+    RigidBody b = ball({0, 0, 0}, 0);
+    b.start.velocity = {1e14, 3e13, 0};
+    const Track track{{0, b.start, {0, -9.81, 0}, true}};
+    EXPECT_LE(keys_of(b, track, 0, 5, {1e-3, 1e-3}).size(), 100u);
+}
+
 TEST(Keys, OfABodyAtRestAreOne) {
     const Bounce b;
     EXPECT_EQ(keys_of(b.scene.bodies[0], b.result.tracks[0], 0, 6, {}).size(), 1u);

@@ -17,6 +17,7 @@ const std::vector<Shot>& shots() {
         {"camera-move-backwards", "scenes/camera-move.yaml", 50},
         {"combined-classic", "scenes/combined-classic.yaml"},
         {"combined-distributed", "scenes/combined-distributed.yaml"},
+        {"dominoes", "scenes/dominoes.yaml", 6},
         {"focus-classic", "scenes/focus-classic.yaml"},
         {"focus-distributed", "scenes/focus-distributed.yaml"},
         {"glossy-classic", "scenes/glossy-classic.yaml"},

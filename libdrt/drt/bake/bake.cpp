@@ -148,9 +148,10 @@ private:
             say(s.given_up,
                 "the simulation ends, for too much happens to this body: it is crushed, or turns or bounces "
                 "without end; everything stands still from then on,");
-        if (s.deepest_start > worth_telling)
-            say(s.started_in_another, fmt::format("this body starts {:.3g} deep in another and is pushed out",
-                                                  s.deepest_start * model_.units.length));
+        if (s.deepest_start > worth_telling)  // as the legacy manual's ball does
+            r.notes.push_back({Severity::note, s.started_in_another.body,
+                               fmt::format("this body starts {:.3g} deep in another and is pushed out",
+                                           s.deepest_start * model_.units.length)});
         if (s.deepest_overlap > worth_telling)
             say(s.overlapped, fmt::format("this body gets {:.3g} deep into another and is pushed out",
                                           s.deepest_overlap * model_.units.length));

@@ -14,7 +14,7 @@ namespace drt {
 namespace {
 
 // Raise it whenever the same scene may get another motion.
-constexpr int method_version = 1;
+constexpr int method_version = 2;
 
 // What only the eye sees of a shape.
 void forget_looks(Shape& shape) {

@@ -124,6 +124,8 @@ void check_bounce(const RigidScene& scene, const std::vector<Track>& tracks, siz
     Nearest near;
     const int other = only_neighbour(scene, tracks, body, time, near);
     if (other < 0 || scene.bodies[size_t(other)].kind != RigidBody::Kind::fixed) return;
+    for (size_t k = first; k < last; ++k)
+        if (Nearest then; only_neighbour(scene, tracks, body, track[k].begin, then) != other) return;
     const double in = -dot(state_at(b, track[first - 1], time).velocity, near.normal);
     const double out = dot(track[last].from.velocity, near.normal);
     if (in < 0.5 * std::sqrt(length(scene.gravity)) || in < 1e-3 * length(track[first - 1].from.velocity)) return;

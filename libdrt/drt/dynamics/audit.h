@@ -18,7 +18,7 @@ struct Audit {
     bool passes() const { return energy_rise <= most_energy_rise && restitution_error <= most_restitution_error; }
 };
 
-/// Until `end`. While pushes act or kinematic bodies move, the energy is not looked at.
+/// Until `end`. While pushes act, and in scenes with kinematic bodies, the energy is not looked at.
 Audit audit(const RigidScene&, const std::vector<Track>&, double end);
 
 }  // namespace drt

@@ -52,8 +52,8 @@ inline double approach_at(const Contact& c, const ContactPoint& p, const std::ve
     return -dot(va - vb, p.normal);
 }
 
-/// From where on contacts are seen.
-inline constexpr double farthest_contact = 0.1;
+/// From where on contacts are seen: Bullet's default, which is a global variable of the process.
+inline constexpr double farthest_contact = 0.02;
 
 class ContactWorld {
 public:

@@ -16,8 +16,8 @@ constexpr double samples_per_second = 240;  // where motions are compared
 constexpr int most_samples = 100000;
 constexpr double longest_step = 1.0 / 96;
 constexpr size_t most_halvings = 6;
-constexpr double most_points = 100000;  // of contacts in a run's steps: what takes more is not halved again
-constexpr double perturbation = 1e-9;   // of the smallest body's size: what a file's digits say of a place
+constexpr double most_points = 50000;  // of contacts in a run's steps: what takes more is not halved again
+constexpr double perturbation = 1e-9;  // of the smallest body's size: what a file's digits say of a place
 
 // Seconds in which a body falls by a good part of its size.
 double first_step(const RigidScene& scene) {

@@ -40,11 +40,12 @@ bool interpolates(const RigidBody& body, const Track& track, double t0, double t
     // Just inside, so that what a contact does at the ends is not part of it.
     const RigidState a = state_at(body, track, t0), b = state_at(body, track, std::nextafter(t1, t0));
     const Vec3d turn = turn_between(a, b, t1 - t0);
+    const double rounding = 1e-15 * (length(a.position) + length(b.position));
     for (int i = 1; i <= checks; ++i) {
         const double share = double(i) / (checks + 1);
         const RigidState s = state_at(body, track, t0 + (t1 - t0) * share);
         const Vec3d position = a.position + (b.position - a.position) * share;
-        if (length(position - s.position) > tolerance.position) return false;
+        if (length(position - s.position) > tolerance.position + rounding) return false;
         const Quatd orientation = turned(a.orientation, turn, share);
         if (length(rotation_vector(s.orientation * conjugate(orientation))) > tolerance.angle) return false;
     }

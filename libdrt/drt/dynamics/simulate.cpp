@@ -35,9 +35,9 @@ void strike(const RigidBody& body, RigidState& s, const Vec3d& impulse, const Ve
 namespace {
 
 // Lengths, in sizes of the smallest moving body.
-constexpr double touching = 1e-6;    // nearer than this, bodies collide
-constexpr double resting = 2e-4;     // nearer than this and slower than a bounce, they hold each other
-constexpr double hold_reach = 0.02;  // corners of bodies that hold each other are watched from here on
+constexpr double touching = 1e-6;                // nearer than this, bodies collide
+constexpr double resting = 2e-4;                 // nearer than this and slower than a bounce, they hold each other
+constexpr double hold_reach = farthest_contact;  // corners of bodies that hold each other are watched from here on
 
 // Approaches slower than this do not bounce: a share of sqrt(g L), and of the fastest speed there ever was.
 constexpr double slow_falling = 0.02, slow_flying = 1e-6;
