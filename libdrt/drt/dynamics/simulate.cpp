@@ -8,8 +8,10 @@
 #include "drt/dynamics/hold.h"
 #include "drt/dynamics/impact_time.h"
 #include "drt/dynamics/overlap.h"
+#include "drt/dynamics/patience.h"
 #include "drt/dynamics/rest.h"
 #include "drt/dynamics/step.h"
+#include "drt/dynamics/timeline.h"
 
 namespace drt {
 
@@ -47,17 +49,11 @@ constexpr int most_stalls = 20;        // events in a row that take no time: the
 
 constexpr double small_overlap = 1e-11;  // is left as it is
 constexpr int most_separations = 3;      // bodies that turn come apart only in the limit
-constexpr double jammed = 0.02;          // deeper than this after that, bodies have no room; for so many steps:
-constexpr int most_jammed_steps = 50;
+constexpr double jammed = 0.02;          // deeper than this after that, bodies have no room
 
 bool is_finite(const RigidState& s) {
     return std::isfinite(length_squared(s.velocity)) && std::isfinite(length_squared(s.spin));
 }
-
-// A bake must end. Steps are counted by those that were tried, collisions by rounds, renewals of long tumbling by
-// paths.
-constexpr int most_steps = 1000000, most_collisions_of_all = 500000, most_renewals = 50000;
-constexpr int most_collisions_at_once = 3000;  // within the shortest step: a body is crushed
 
 // A tumbling body's path is integrated from its begin: one that turns farther than this begins anew.
 constexpr double longest_tumble = 0.5;  // radians
@@ -71,7 +67,8 @@ public:
           end_(end),
           step_(step),
           limits_(step_limits(scene, step)),
-          time_(begin) {
+          time_(begin),
+          timeline_(scene, begin, end) {
         const size_t n = scene.bodies.size();
         for (const RigidBody& b : scene.bodies) states_.push_back(b.start);
         for (int a = 0; a < int(n); ++a)
@@ -83,7 +80,7 @@ public:
         held_.assign(n, false);
         changed_.assign(n, true);
         out_.tracks.resize(n);
-        make_timeline();
+        for (int i = 0; i < count(); ++i) begin_event(i);
     }
 
     Simulation run() {
@@ -91,9 +88,7 @@ public:
         separate_overlaps(false);
         resolve_impacts();
         while (time_ < end_) {
-            if (steps_tried_ > most_steps || collisions_ > most_collisions_of_all ||
-                collisions_at_once_ > most_collisions_at_once || jammed_steps_ > most_jammed_steps ||
-                renewals_ > most_renewals || is_lost_) {
+            if (patience_.is_at_its_end()) {
                 give_up();
                 break;
             }
@@ -105,7 +100,7 @@ public:
 
 private:
     void give_up() {
-        out_.given_up = trouble_of(jammed_steps_ > 0 ? out_.overlapped.body : last_body_);
+        out_.given_up = trouble_of(patience_.jammed_steps > 0 ? out_.overlapped.body : last_body_);
         for (size_t i = 0; i < states_.size(); ++i) {
             RigidState still = states_[i];
             still.velocity = still.spin = {};
@@ -123,35 +118,11 @@ private:
 
     // ---- what the scene asks for at given times ---------------------------------------------------------------------
 
-    struct Event {
-        double time = 0;
-        int body = 0;
-    };
-
-    void make_timeline() {
-        for (int i = 0; i < count(); ++i) {
-            const auto add = [&](double t) {
-                if (t > time_ && t < end_) timeline_.push_back({t, i});
-            };
-            if (moves(i)) {
-                for (const Blow& b : body(i).blows) add(b.time);
-                for (const Push& p : body(i).pushes) add(p.from), add(p.until);
-            }
-            if (is_kinematic(i))
-                for (const Path& p : body(i).course) add(p.begin);
-        }
-        std::stable_sort(timeline_.begin(), timeline_.end(),
-                         [](const Event& a, const Event& b) { return a.time < b.time; });
-        for (int i = 0; i < count(); ++i) begin_event(i);
-    }
-
     void begin_event(int i) {
         const RigidBody& b = body(i);
         if (is_kinematic(i)) states_[size_t(i)] = state_at(b, b.course, time_);
         if (!moves(i)) return;
-        acceleration_[size_t(i)] = scene_.gravity;
-        for (const Push& p : b.pushes)
-            if (p.from <= time_ && time_ < p.until) acceleration_[size_t(i)] += p.force / b.mass;
+        acceleration_[size_t(i)] = acceleration_from(scene_, i, time_);
         for (const Blow& blow : b.blows)
             if (blow.time == time_) strike(b, states_[size_t(i)], blow.impulse, blow.at);
     }
@@ -160,20 +131,11 @@ private:
         for (const int k : rest_.wake(i)) changed_[size_t(k)] = true;
     }
 
-    // Those of this very time.
     void apply_events() {
-        for (int last = -1; next_event() <= time_; ++next_event_) {
-            const int i = timeline_[next_event_].body;
-            if (i != last) begin_event(i);  // those of one body stand together
+        for (const int i : timeline_.take_until(time_)) {
+            begin_event(i);
             wake(i);
-            last = i;
         }
-    }
-    double next_event() const { return next_event_ < timeline_.size() ? timeline_[next_event_].time : never; }
-    double next_kink(int i) const {
-        for (size_t k = next_event_; k < timeline_.size(); ++k)
-            if (timeline_[k].body == i) return timeline_[k].time;
-        return end_;
     }
 
     // ---- bodies that hold each other --------------------------------------------------------------------------------
@@ -313,7 +275,7 @@ private:
             std::vector<Contact> contacts = held_contacts(states);
             set_gaps_of_begin(contacts, states, h);
             const std::vector<Vec3d> accelerations = accelerations_of(all_awake());
-            ++steps_tried_;
+            ++patience_.steps;
             const bool short_enough = begin_step(scene_, states, accelerations, contacts, h, limits_);
             if (!short_enough && h > 1.5 * shortest_step()) {
                 allowed_step_ = std::max(0.5 * h, shortest_step());
@@ -363,7 +325,7 @@ private:
             double deepest = 0;
             for (const Contact& c : contacts)
                 for (const ContactPoint& p : c.points()) deepest = std::max(deepest, -p.gap);
-            if (round == most_separations) jammed_steps_ = deepest > jammed ? jammed_steps_ + 1 : 0;
+            if (round == most_separations) patience_.jammed_steps = deepest > jammed ? patience_.jammed_steps + 1 : 0;
             if (deepest <= small_overlap || round == most_separations) return;
             const PushedApart pushed = push_apart(scene_, contacts, states_, turning);
             if (round == 0) note_overlap(pushed, !turning);
@@ -404,7 +366,7 @@ private:
     }
 
     void advance() {
-        double until = std::min({end_, next_event(), next_renewal()});
+        double until = std::min({end_, timeline_.next(), next_renewal()});
         step_path_.resize(states_.size());
         if (anything_held()) {
             until = std::min({until, time_ + step_length(), time_ + std::max(landing_, shortest_step())});
@@ -445,14 +407,14 @@ private:
             if (renewal(i) <= until) {
                 changed_[size_t(i)] = true;
                 last_body_ = i;
-                ++renewals_;
+                ++patience_.renewals;
             }
         time_ = until;
         if (time_ > at_once_until_) {
             at_once_until_ = time_ + shortest_step();
-            collisions_at_once_ = 0;
+            patience_.at_once = 0;
         }
-        in_event_ = next_event() <= time_;
+        in_event_ = timeline_.next() <= time_;
     }
 
     double first_impact(double until) {
@@ -474,7 +436,7 @@ private:
             }
             // Paths hold until something happens to them.
             const auto holds_until = [&](int i) {
-                return held_[size_t(i)] ? until : is_kinematic(i) ? next_kink(i) : end_;
+                return held_[size_t(i)] ? until : is_kinematic(i) ? timeline_.next_of(i, end_) : end_;
             };
             next_impact_[k] =
                 impact_time(*world_, scene_, a, out_.tracks[size_t(a)].back(), b, out_.tracks[size_t(b)].back(), time_,
@@ -484,8 +446,8 @@ private:
     }
 
     void count_collision() {
-        ++collisions_;
-        ++collisions_at_once_;
+        ++patience_.collisions;
+        ++patience_.at_once;
     }
 
     // All that approach at once, then those that approach because of that, and so on (generalized reflections, Smith et
@@ -509,7 +471,7 @@ private:
         for (size_t i = 0; i < states_.size(); ++i) {
             if (!is_finite(states_[i])) {
                 last_body_ = int(i);
-                is_lost_ = true;
+                patience_.is_lost = true;
                 states_[i] = old[i];
             }
             if (states_[i].velocity == old[i].velocity && states_[i].spin == old[i].spin) continue;
@@ -530,14 +492,12 @@ private:
     double fastest_ = 0, slow_ = 0;
     std::vector<std::pair<int, int>> pairs_;
     std::vector<double> next_impact_;  // by pair, absolute
-    std::vector<Event> timeline_;
-    size_t next_event_ = 0;
+    Timeline timeline_;
     bool in_event_ = false;
     int stalls_ = 0;
-    int steps_tried_ = 0, collisions_ = 0, collisions_at_once_ = 0, renewals_ = 0, jammed_steps_ = 0;
+    Patience patience_;
     double at_once_until_ = -never;
-    int last_body_ = -1;    // that anything happened to
-    bool is_lost_ = false;  // a velocity has overflowed
+    int last_body_ = -1;  // that anything happened to
     // By body
     std::vector<RigidState> states_;
     std::vector<Vec3d> acceleration_;
