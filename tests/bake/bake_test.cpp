@@ -164,5 +164,58 @@ TEST(Bake, IsTheSameEveryTime) {
     EXPECT_EQ(compute_motion(in), compute_motion(in));
 }
 
+// A ball of a centimetre, of a metre or of a kilometre drops, bounces off a box that it knocks over, and rolls: with
+// gravity to scale, the same motion in units of the ball, though the files' numbers differ by 1e5.
+TEST(Bake, MotionIsTheSameInAnyUnitsAndSizes) {
+    const auto motion = [](double size) {
+        SceneDesc s = scene_with_camera();
+        s.gravity = Vec3d{0, -9.81, 0} * size;
+        s.simulation.tolerance = 1e-3 * size;
+        Body floor = with_physics(Plane{});
+        floor.physics->kind = Kind::fixed;
+        Body ball = with_physics(sphere({-3 * size, 3 * size, 0.1 * size}, size)),
+             box = with_physics(Box{Vec3d{0, 2, 0} * size, Vec3d{1.5, 4, 2} * size, {}});
+        ball.physics->velocity = Vec3d{3 * size, 0, 0};
+        ball.physics->restitution = 0.6;
+        ball.physics->density = 2 / (size * size * size);
+        box.physics->density = 1 / (size * size * size);
+        s.bodies = {floor, ball, box};
+        return bake(s, 0);
+    };
+    const Baked metre = motion(1);
+    for (const double size : {0.01, 1000.0}) {
+        const Baked other = motion(size);
+        EXPECT_NEAR(other.report.trusted_until, metre.report.trusted_until, 1e-3);
+        for (const size_t body : {1u, 2u})
+            for (double t = 0; t <= std::min(1.5, metre.report.trusted_until); t += 0.05) {
+                const reference::Pose a = reference::pose_at(*metre.scene.bodies[body].motion, t),
+                                      b = reference::pose_at(*other.scene.bodies[body].motion, t);
+                ASSERT_LE(length(a.position - b.position / size), 4e-3) << size << " " << body << " at " << t;
+            }
+    }
+    const double moved = length(metre.scene.bodies[2].motion->keys.back().position - Vec3d{0, 2, 0});
+    EXPECT_GT(moved, 0.05);
+    EXPECT_GT(metre.report.trusted_until, 0.7);
+}
+
+// What drt-bake and drt-render warn of, at the body's place.
+TEST(Bake, ReportsABodyThatIsCrushed) {
+    SceneDesc s = scene_with_camera();
+    Body ball = with_physics(sphere({0, 1, 0}, 1)), wall = with_physics(Box{{3, 1, 0}, {1, 4, 4}, {}}),
+         door = with_physics(Box{{-3, 1, 0}, {1, 4, 4}, {}}), floor = with_physics(Plane{});
+    wall.physics->kind = floor.physics->kind = Kind::fixed;
+    door.physics->kind = Kind::kinematic;
+    door.motion = Motion{{}, {MotionKey{0, {-3, 1, 0}, {}, {}}, MotionKey{2, {3, 1, 0}, {}, {}}}};
+    s.bodies = {floor, wall, door, ball};
+    const Baked baked = bake(s, 2);
+    ASSERT_EQ(baked.report.notes.size(), 1u);
+    const BakeNote& note = baked.report.notes[0];
+    EXPECT_EQ(note.severity, Severity::warning);
+    EXPECT_EQ(note.body, 3);
+    EXPECT_NE(note.message.find("crushed"), std::string::npos) << note.message;
+    EXPECT_NE(note.message.find("t = 1 s"), std::string::npos) << note.message;  // 3 between the faces, at 3 a second
+    EXPECT_NEAR(baked.report.trusted_until, 1, 1e-3);
+}
+
 }  // namespace
 }  // namespace drt
