@@ -52,7 +52,7 @@ done
 for frame in 2 4 6 9; do
     render "dominoes-$frame" dominoes.yaml --frame "$frame"
 done
-render heavy-on-light heavy-on-light.yaml --frame 39
+render heavy-on-light heavy-on-light.yaml --frame 13
 render_sheet break break.yaml 0 15
 render still-life legacy/still-life.txt
 render carousel legacy/carousel.txt --frame 10

@@ -13,7 +13,7 @@ constexpr int most_corrections = 3;    // of a solution by pivoting
 constexpr int most_direct_rows = 400;  // beyond it sweeps alone are cheaper
 constexpr int most_sweeping_rounds = 20;
 constexpr double dependent = 1e-11;  // of the diagonal: what is left of it
-constexpr double exact = 1e-7;       // of the largest speed
+constexpr double exact = 1e-8;       // of the largest speed
 
 void sweep(Complementarity& c) {
     for (int i = 0; i < c.n; ++i) {
