@@ -75,5 +75,22 @@ TEST(Events, ALiftCarriesWhatStandsOnIt) {
     EXPECT_LE(length(s.position - Vec3d{0, 3, 0}), 1e-6);
 }
 
+// At the instant at which a lift turns round, what stands on it leaves it at the speed that it had.
+TEST(Events, ALiftThatTurnsRoundThrowsWhatStandsOnIt) {
+    for (const double step : {1.0 / 96, 1.0 / 192, 1.0 / 768}) {
+        RigidBody lift = box({0, -1, 0}, {2, 1, 2}, 0);
+        lift.kind = RigidBody::Kind::kinematic;
+        lift.course.assign(2, Path{0, lift.start, {}, false});
+        lift.course[0].from.velocity = {0, 2, 0};
+        lift.course[1].begin = 1;
+        lift.course[1].from.position.y += 2;
+        lift.course[1].from.velocity = {0, -1, 0};
+        const RigidScene scene{{lift, box({0, 1, 0}, {1, 1, 1}, 0)}, {0, -9.81, 0}};
+        const Simulation r = simulate(scene, 0, 1.5, step);
+        const RigidState s = state_at(scene.bodies[1], r.tracks[1], 1.5);
+        EXPECT_NEAR(s.position.y, 3 + 2 * 0.5 - 0.5 * 9.81 * 0.25, 1e-6) << step;
+    }
+}
+
 }  // namespace
 }  // namespace drt

@@ -71,6 +71,39 @@ TEST(Shapes, ACylinderRollsDownASlope) {
     EXPECT_NEAR(s.position.x, 2.0 / 3 * g * std::sin(angle) * 2, 1e-3);
 }
 
+// On a box as on a plane: there are two points of a line, and nothing brakes.
+TEST(Shapes, ACylinderRollsStraightOnABox) {
+    for (const Collider& under : {Collider{BoxCollider{{40, 1, 10}}}, Collider{DiscCollider{{0, 1, 0}, 40}}}) {
+        const double top = std::holds_alternative<BoxCollider>(under) ? 1 : 0;
+        RigidScene scene{{plate(under, {0, 0, 0}), cylinder({0, top + 1, 0}, 1, 1)}, {0, -g, 0}};
+        scene.bodies[1].start.velocity = {5, 0, 0};
+        scene.bodies[1].start.spin = {0, 0, -5};
+        const RigidState s = end_of(scene, 1, 4);
+        EXPECT_LE(length(s.position - Vec3d{20, top + 1, 0}), 1e-3) << under.index();
+        EXPECT_NEAR(s.velocity.x, 5, 1e-3) << under.index();
+    }
+}
+
+// What falls tilted on something flat, or is long and thin, comes to its end without being given up.
+TEST(Shapes, WhatFallsTiltedComesDown) {
+    RigidBody tilted_cylinder = cylinder({0, 4, 0}, 1, 1), tilted_box = box({0, 4, 0}, {1, 1, 1}, 0.3),
+              rod = box({0, 4, 0}, {20, 1, 1}, 0.3), pencil = cylinder({0, 4, 0}, 1, 12);
+    for (RigidBody* b : {&tilted_cylinder, &tilted_box, &rod, &pencil}) {
+        b->restitution = 0.3;
+        b->start.orientation = quat_from_axis_angle(normalize(Vec3d{1, 0.2, 0}), b == &rod || b == &pencil ? 0.1 : 0.8);
+        for (const Collider& under : {Collider{BoxCollider{{40, 1, 40}}}, Collider{DiscCollider{{0, 1, 0}, 40}}}) {
+            const double top = std::holds_alternative<BoxCollider>(under) ? 1 : 0;
+            const RigidScene scene{{plate(under, {0, 0, 0}), *b}, {0, -g, 0}};
+            const Simulation r = simulate(scene, 0, 4, 1.0 / 96);
+            EXPECT_GT(r.given_up.time, 4) << b->collider.index() << " on " << under.index();
+            const double height = state_at(*b, r.tracks[1], 4).position.y - top;
+            EXPECT_GE(height, 0.99) << b->collider.index() << " on " << under.index();
+            EXPECT_LE(height, 1.42) << b->collider.index() << " on " << under.index();
+            EXPECT_LE(audit(scene, r.tracks, 4).energy_rise, 2e-3) << b->collider.index() << " on " << under.index();
+        }
+    }
+}
+
 TEST(Shapes, ABallRollsOffATriangleAndADisc) {
     for (const Collider& under : {Collider{triangle()}, Collider{DiscCollider{{0, 1, 0}, 4}}}) {
         RigidScene scene{{plate(under, {0, 0, 0}), ball({0, 1, 0}, 0.3)}, {0, -g, 0}};

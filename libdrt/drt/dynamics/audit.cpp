@@ -42,6 +42,7 @@ bool is_driven(const RigidScene& scene, double time) {
 }
 
 void note(Audit& a, double& worst, double value, double allowed, double time) {
+    if (!(value <= allowed)) a.fails_from = std::min(a.fails_from, time);
     if (value <= worst) return;
     worst = value;
     if (value / allowed >= std::max(a.energy_rise / a.most_energy_rise, a.restitution_error / a.most_restitution_error))
@@ -126,6 +127,8 @@ void check_bounce(const RigidScene& scene, const std::vector<Track>& tracks, siz
     if (other < 0 || scene.bodies[size_t(other)].kind != RigidBody::Kind::fixed) return;
     for (size_t k = first; k < last; ++k)
         if (Nearest then; only_neighbour(scene, tracks, body, track[k].begin, then) != other) return;
+    for (size_t k = first; k <= last; ++k)
+        if (is_driven(scene, track[k].begin)) return;
     const double in = -dot(state_at(b, track[first - 1], time).velocity, near.normal);
     const double out = dot(track[last].from.velocity, near.normal);
     if (in < 0.5 * std::sqrt(length(scene.gravity)) || in < 1e-3 * length(track[first - 1].from.velocity)) return;

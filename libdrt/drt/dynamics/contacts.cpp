@@ -1,5 +1,9 @@
 #include "drt/dynamics/contacts.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "drt/dynamics/clip.h"
 #include "drt/dynamics/polytope.h"
 
 namespace drt {
@@ -37,6 +41,15 @@ void refine(Contact& c, const ContactWorld& world, const RigidScene& scene, cons
         std::vector<SurfacePoint> points = contact_points(cb, sb, *plane_a, sa, reach);
         for (SurfacePoint& p : points) std::swap(p.on_a, p.on_b);
         set_points(c, points, -rotate(sa.orientation, normalize(plane_a->normal)));
+    } else {
+        const Nearest n = world.nearest(c.a, sa, c.b, sb);
+        c.count = 0;
+        if (n.distance > reach) return;
+        std::vector<SurfacePoint> points = contact_points_of_round(ca, sa, cb, sb, n.normal, reach);
+        // Between the corners that a rim counts as may be one that is nearer.
+        if (std::none_of(points.begin(), points.end(), [&](const auto& p) { return p.gap <= n.distance + n.error; }))
+            points.push_back({n.distance, n.point + n.normal * n.distance, n.point});
+        set_points(c, spread(std::move(points)), n.normal);
     }
 }
 

@@ -70,7 +70,7 @@ Controlled simulate_controlled(const RigidScene& scene, double begin, double end
     out.runs = 1;
     out.audit = audit(scene, out.simulation.tracks, end);
     const auto trust = [&](double until) {
-        if (!out.audit.passes()) until = std::min(until, out.audit.worst_time);
+        until = std::min(until, out.audit.fails_from);
         out.trusted_until = std::min({end, until, out.simulation.given_up.time});
     };
     trust(end);

@@ -20,10 +20,10 @@ double time_to_close(double gap, double speed, double acceleration) {
     return divisor > 0 ? 2 * gap / divisor : never;
 }
 
-// A tumbling body's spin stays below this: its momentum is constant.
+// A tumbling body's spin stays below this: its energy is constant.
 double largest_spin(const RigidBody& b, const Path& p) {
     const Vec3d i = b.inertia;
-    const double spread = p.free ? std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z}) : 1;
+    const double spread = p.free ? std::sqrt(std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z})) : 1;
     return length(p.from.spin) * spread;
 }
 

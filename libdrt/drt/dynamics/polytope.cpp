@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "drt/dynamics/clip.h"
+
 namespace drt {
 
 namespace {
@@ -63,19 +65,6 @@ std::vector<Vec3d> corners(const Polytope& p, const Polytope::Face& f) {
     return out;
 }
 
-// Sutherland and Hodgman 1974: what of a polygon is below the plane through `at` with the normal n.
-std::vector<Vec3d> clip(const std::vector<Vec3d>& polygon, const Vec3d& at, const Vec3d& n) {
-    const double slack = 1e-9 * length(n);  // corners that lie on each other all count
-    std::vector<Vec3d> out;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-        const double dp = dot(p - at, n) - slack, dq = dot(q - at, n) - slack;
-        if (dp <= 0) out.push_back(p);
-        if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) out.push_back(p + (q - p) * (dp / (dp - dq)));
-    }
-    return out;
-}
-
 // The face of `other` that looks most against n, cut to the outline of `face`.
 std::vector<Vec3d> overlap_of_faces(const Polytope& p, const Polytope::Face& face, const Polytope& other) {
     const auto against = std::min_element(other.faces.begin(), other.faces.end(), [&](const auto& f, const auto& g) {
@@ -110,24 +99,6 @@ SurfacePoint crossing(const Vec3d& pa, const Vec3d& da, const Vec3d& pb, const V
     const double ta = (dot(w, da) - c * dot(w, db)) / s, tb = (c * dot(w, da) - dot(w, db)) / s;
     const Vec3d on_a = pa + da * ta, on_b = pb + db * tb;
     return {dot(on_a - on_b, n), on_a, on_b};
-}
-
-// The deepest first, and always the one that is farthest from those before it: as many as a contact can have.
-std::vector<SurfacePoint> spread(std::vector<SurfacePoint> all) {
-    std::vector<SurfacePoint> out;
-    auto next = std::min_element(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.gap < q.gap; });
-    while (next != all.end() && out.size() < most_surface_points) {
-        out.push_back(*next);
-        all.erase(next);
-        const auto distance = [&](const SurfacePoint& p) {
-            double least = never;
-            for (const SurfacePoint& q : out) least = std::min(least, length_squared(p.on_b - q.on_b));
-            return least;
-        };
-        next = std::max_element(all.begin(), all.end(),
-                                [&](const auto& p, const auto& q) { return distance(p) < distance(q); });
-    }
-    return out;
 }
 
 // Where a cylinder may stand on its rims: where they are lowest, opposite, and between.

@@ -50,4 +50,10 @@ std::vector<SurfacePoint> contact_points(const Collider&, const RigidState&, con
 /// crossing of two edges. The first few are far apart.
 std::vector<SurfacePoint> contact_points(const Polytope& a, const Polytope& b, const Separation&, double reach);
 
+/// Where a cylinder or a disc is near a body that is not a ball or a plane: where a flat side of one faces a flat side
+/// of the other, or a cylinder lies along one. `normal`: unit, from b towards a, where they are nearest. None
+/// elsewhere: then they are near each other at that one place only. The rims count as polygons of sixteen corners.
+std::vector<SurfacePoint> contact_points_of_round(const Collider& a, const RigidState&, const Collider& b,
+                                                  const RigidState&, const Vec3d& normal, double reach);
+
 }  // namespace drt

@@ -57,7 +57,7 @@ std::vector<int> Rest::update(std::vector<RigidState>& states, const std::vector
         if (!held[i]) continue;
         const bool sleeps = rests[size_t(island[i])];
         if (sleeps != asleep(int(i))) changed.push_back(int(i));
-        bed_[i] = sleeps ? beds_ * int(states.size()) + island[i] : awake;
+        bed_[i] = sleeps ? beds_ * std::int64_t(states.size()) + island[i] : awake;
         if (sleeps) states[i].velocity = states[i].spin = {};
     }
     return changed;
@@ -65,7 +65,7 @@ std::vector<int> Rest::update(std::vector<RigidState>& states, const std::vector
 
 std::vector<int> Rest::wake(int body) {
     std::vector<int> out{body};
-    if (const int bed = bed_[size_t(body)]; bed != awake)
+    if (const std::int64_t bed = bed_[size_t(body)]; bed != awake)
         for (int i = 0; i < int(bed_.size()); ++i)
             if (bed_[size_t(i)] == bed && i != body) out.push_back(i);
     for (const int i : out) {

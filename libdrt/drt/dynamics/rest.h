@@ -3,6 +3,8 @@
 // rims too, for a share of sqrt(L / g) sleep until something changes the motion of one of them. Without gravity nothing
 // sleeps: slow is not at rest.
 
+#include <cstdint>
+
 #include "drt/dynamics/contact_world.h"
 
 namespace drt {
@@ -22,13 +24,13 @@ public:
     std::vector<int> wake(int body);
 
 private:
-    static constexpr int awake = -1;
+    static constexpr std::int64_t awake = -1;
     bool is_quiet(int body, const RigidState&) const;
 
     const RigidScene& scene_;
     std::vector<double> quiet_since_;
-    std::vector<int> bed_;  // who sleeps together
-    int beds_ = 0;
+    std::vector<std::int64_t> bed_;  // who sleeps together
+    std::int64_t beds_ = 0;
 };
 
 }  // namespace drt

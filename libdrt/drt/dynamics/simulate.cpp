@@ -100,7 +100,7 @@ public:
 
 private:
     void give_up() {
-        out_.given_up = trouble_of(patience_.jammed_steps > 0 ? out_.overlapped.body : last_body_);
+        out_.given_up = trouble_of(patience_.jammed_steps > Patience::most_jammed_steps ? jammed_body_ : last_body_);
         for (size_t i = 0; i < states_.size(); ++i) {
             RigidState still = states_[i];
             still.velocity = still.spin = {};
@@ -285,6 +285,7 @@ private:
             for (int k = 0; k < count(); ++k) {
                 const auto i = size_t(k);
                 if (!moves(k)) continue;
+                keep_finite(k, states[i], states_[i]);
                 const Vec3d free = states_[i].velocity + accelerations[i] * (0.5 * h);
                 if (states[i].velocity != free || states[i].spin != states_[i].spin) held_[i] = true;
                 if (!held_[i]) continue;
@@ -306,8 +307,10 @@ private:
         std::vector<Contact> contacts = held_contacts(states_);
         const std::vector<RigidState> old = states_;
         end_step(scene_, states_, accelerations_of(held_), contacts, h);
-        for (size_t i = 0; i < states_.size(); ++i)
+        for (size_t i = 0; i < states_.size(); ++i) {
+            keep_finite(int(i), states_[i], old[i]);
             if (states_[i].velocity != old[i].velocity || states_[i].spin != old[i].spin) changed_[i] = true;
+        }
         last_held_ = std::move(contacts);
     }
 
@@ -320,14 +323,16 @@ private:
 
     // At the start bodies stay as they are turned.
     void separate_overlaps(bool turning) {
+        const int jammed_before = std::exchange(patience_.jammed_steps, 0);
         for (int round = 0; round <= most_separations; ++round) {
             const std::vector<Contact> contacts = find_contacts(*world_, scene_, states_, resting);
             double deepest = 0;
             for (const Contact& c : contacts)
                 for (const ContactPoint& p : c.points()) deepest = std::max(deepest, -p.gap);
-            if (round == most_separations) patience_.jammed_steps = deepest > jammed ? patience_.jammed_steps + 1 : 0;
+            if (round == most_separations) patience_.jammed_steps = deepest > jammed ? jammed_before + 1 : 0;
             if (deepest <= small_overlap || round == most_separations) return;
             const PushedApart pushed = push_apart(scene_, contacts, states_, turning);
+            jammed_body_ = pushed.deepest_body;
             if (round == 0) note_overlap(pushed, !turning);
             for (const int i : pushed.moved) changed_[size_t(i)] = true;
         }
@@ -374,20 +379,22 @@ private:
         }
         start_paths();
         double impact = first_impact(until);
+        const double escape = stalls_ > most_stalls ? time_ + 1e-5 * (stalls_ - most_stalls) * step_ : time_;
         if (impact < until) {
-            until = impact;
             stalls_ = impact > time_ ? 0 : stalls_ + 1;
-            if (stalls_ > most_stalls) until = std::min(end_, time_ + 1e-6 * step_);
+            until = std::min(until, std::max(impact, escape));
             if (anything_held() && until > time_) {  // a shorter step has other velocities
                 until = hold_paths(until);
                 start_paths();
                 impact = first_impact(until);
-                until = std::min(until, std::max(impact, time_));
+                until = std::min(until, std::max(impact, escape));
             }
+        } else {
+            stalls_ = 0;
         }
         const double h = until - time_;
         move_to(until);
-        if (anything_held()) {
+        if (anything_held() && h > 0) {
             separate_overlaps(true);
             end_paths(h);
         }
@@ -398,9 +405,10 @@ private:
     void move_to(double until) {
         changed_.assign(states_.size(), false);
         for (size_t i = 0; i < states_.size(); ++i) {
-            const Track& track = is_kinematic(int(i)) ? body(int(i)).course : out_.tracks[i];
-            states_[i] = is_kinematic(int(i)) ? state_at(body(int(i)), track, until)
-                                              : state_at(body(int(i)), track.back(), until);
+            // At a kink of a course the step that ends sees the speed before it; the event sets the one after.
+            states_[i] = is_kinematic(int(i))
+                             ? state_at(body(int(i)), body(int(i)).course, std::nextafter(until, time_))
+                             : state_at(body(int(i)), out_.tracks[i].back(), until);
             if (held_[i]) changed_[i] = true;
         }
         for (int i = 0; i < count(); ++i)
@@ -445,13 +453,22 @@ private:
         }
     }
 
+    void keep_finite(int i, RigidState& s, const RigidState& before) {
+        if (is_finite(s)) return;
+        last_body_ = i;
+        patience_.is_lost = true;
+        s.velocity = before.velocity;
+        s.spin = before.spin;
+    }
+
     void count_collision() {
         ++patience_.collisions;
         ++patience_.at_once;
     }
 
     // All that approach at once, then those that approach because of that, and so on (generalized reflections, Smith et
-    // al. 2012): Newton's cradle behaves as it does, a rack of balls breaks evenly, and energy never rises.
+    // al. 2012): Newton's cradle behaves as it does, a rack of balls breaks evenly, and without friction energy never
+    // rises.
     void resolve_impacts() {
         learn_speeds();
         count_collision();
@@ -463,17 +480,13 @@ private:
             if (approaching.empty()) break;
             world_->collide(states_, approaching);
             update_approach(contacts, states_);
-            count_collision();
+            if (k > 0) count_collision();
             last_body_ = moves(approaching[0].a) ? approaching[0].a : approaching[0].b;
         }
         hold(scene_, states_, contacts, 0, 0);
         bool any = false;
         for (size_t i = 0; i < states_.size(); ++i) {
-            if (!is_finite(states_[i])) {
-                last_body_ = int(i);
-                patience_.is_lost = true;
-                states_[i] = old[i];
-            }
+            keep_finite(int(i), states_[i], old[i]);
             if (states_[i].velocity == old[i].velocity && states_[i].spin == old[i].spin) continue;
             wake(int(i));
             any = true;
@@ -497,6 +510,7 @@ private:
     int stalls_ = 0;
     Patience patience_;
     double at_once_until_ = -never;
+    int jammed_body_ = -1;
     int last_body_ = -1;  // that anything happened to
     // By body
     std::vector<RigidState> states_;
