@@ -62,7 +62,7 @@ std::unique_ptr<btCollisionShape> make_shape(const DiscCollider& c) {
 class BulletWorld : public ContactWorld {
 public:
     explicit BulletWorld(const RigidScene& s) : scene_(s) {
-        configuration_.setPlaneConvexMultipointIterations(4, 4);   // a cylinder's face on a plane
+        configuration_.setPlaneConvexMultipointIterations(4, 4);  // a cylinder's face on a plane
         // Contacts are seen from the same distance (farthest_contact), whatever the bodies' sizes.
         dispatcher_.setDispatcherFlags(dispatcher_.getDispatcherFlags() &
                                        ~btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
