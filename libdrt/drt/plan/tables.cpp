@@ -6,8 +6,11 @@
 #include <unordered_map>
 
 #include "drt/plan/texture_cache.h"
+#include "drt/scene/scene_fields.h"
 
 namespace drt {
+
+static_assert(largest_depth < most_bounces, "each bounce has sample dimensions of its own");
 
 namespace {
 

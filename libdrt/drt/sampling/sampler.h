@@ -4,52 +4,18 @@
 // Every named dimension is a 2D point set: an Owen-scrambled Sobol (0, 2)-sequence, with hashes for the scrambles after
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020. A path's dimensions in the order of its events
 // (filter, lens, time, bounce 0, bounce 1, ...) are stratified jointly in fours (joint_index.h); the fours have
-// independently shuffled indices. Because a dimension is found by its name, a plan that does not draw one never shifts
-// the others.
+// independently shuffled indices. Because a dimension is found by its name (dimension.h), a plan that does not draw one
+// never shifts the others. Nothing depends on the number of samples that will be taken.
 
 #include <cstdint>
 
 #include "drt/base/bits.h"
 #include "drt/base/vec.h"
+#include "drt/sampling/dimension.h"
 #include "drt/sampling/hash.h"
 #include "drt/sampling/joint_index.h"
 
 namespace drt {
-
-/// Dimensions drawn once a camera path.
-enum class PathDim : std::uint32_t { filter, lens, time };
-/// Dimensions drawn at each hit.
-enum class HitDim : std::uint32_t { lobe_choice, lobe, roulette, light_choice, light };
-
-using DimId = std::uint32_t;
-
-constexpr DimId dim(PathDim d) { return DimId(d); }
-/// `bounce` counts from 0 (the camera ray's hit). `index` tells lights apart; only HitDim::light uses it.
-constexpr DimId dim(HitDim d, int bounce, int index = 0) {
-    return 0x100u + DimId(d) + 8u * (DimId(bounce) & 0xffffu) + 0x100000u * DimId(index);
-}
-
-/// A dimension at the joint slot that the lights and the lobe of one hit share.
-constexpr DimId hit_dim(int bounce) { return dim(HitDim::light, bounce); }
-
-/// Where a dimension stands among those it is stratified with.
-struct JointSlot {
-    std::uint32_t group;  ///< dimensions of a group share a shuffled index
-    int slot;             ///< 0..3: which of the four joint matrices
-};
-
-/// Points on the path (filter, lens, time, then each bounce) fill groups in their order; so do the choices between
-/// lobes or lights, and the roulette. What a path uses for terms that are only added, the lights and the lobe of one
-/// hit, shares a slot: the scrambles differ, so the errors of the terms are independent.
-constexpr JointSlot joint_slot(DimId d) {
-    if (d < 0x100u) return {d / joint_dims, int(d % joint_dims)};
-    const auto kind = HitDim(d & 7u);
-    const std::uint32_t bounce = ((d & 0xfffffu) - 0x100u) >> 3;
-    const bool choice = kind == HitDim::lobe_choice || kind == HitDim::light_choice;
-    const std::uint32_t family = kind == HitDim::roulette ? 2u : choice ? 1u : 0u;
-    const std::uint32_t position = family == 0 ? 3u + bounce : bounce;
-    return {family * 0x10000u + position / joint_dims, int(position % joint_dims)};
-}
 
 enum class SamplerKind {
     sobol,        ///< the renderer's

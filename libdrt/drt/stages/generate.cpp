@@ -19,6 +19,11 @@ template <class I>
     return {I(block.x) + load<I>(&block_x[within]), I(block.y) + load<I>(&block_y[within])};
 }
 
+// What a camera ray draws and the lights and lobe of its hit share a shuffled index.
+static_assert(joint_slot(dim(PathDim::filter)).group == joint_slot(dim(PathDim::lens)).group &&
+              joint_slot(dim(PathDim::filter)).group == joint_slot(dim(PathDim::time)).group &&
+              joint_slot(dim(PathDim::filter)).group == joint_slot(hit_dim(0)).group);
+
 // Names the sample sets of packet i's pixels and draws the points of the unit square for their pixel filter, into p.x
 // and p.y, which nobody needs yet: samples `first`, first + replicate_count, ..., all of one replicate, so that the
 // hashes that make its key and scrambles are the same for all of them. `hit_index` holds the index as shuffled for the

@@ -165,6 +165,7 @@ void light_from_all(StageContext<Real>& c, const LightList<Kind, Real>& list, in
 template <class Real>
 void light_stage(StageContext<Real>& c) {
     const LightTable<Real>& lights = c.world->lights;
+    static_assert(3 * few_lights <= most_numbers);
     int light_number = 0;  // names the sample dimensions of each light
     if (!lights.rects.lights.empty() || !lights.spheres.lights.empty()) draw_light_digits(c);
     light_from_all(c, lights.points, light_number);
