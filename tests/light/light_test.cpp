@@ -58,7 +58,7 @@ double mean_intensity(const Kind<Real>& light, const Vec3d& p, const Vec3d& n, i
         for (int j = 0; j < grid; ++j) {
             const Vec2<Real> u{Real((i + 0.5) / grid), Real((j + 0.5) / grid)};
             const LightSample<Real> s = sample_light(light, Vec3<Real>(p), u);
-            if (s.lit) sum += double(s.intensity.r) * std::max(0.0, dot(Vec3d(s.wi), n));
+            if (s.lit) sum += double(intensity(s).r) * std::max(0.0, dot(Vec3d(s.wi), n));
         }
     return sum / grid / grid;
 }
@@ -150,7 +150,7 @@ TYPED_TEST(Lights, ALegacyBulbIsAFacingDiscOfTheSamePower) {
     double sum = 0;
     for (int i = 0; i < 1000; ++i) {
         const LightSample<TypeParam> s = sample_light(l, {}, {TypeParam(i + 0.5) / 1000, TypeParam(0.37)});
-        EXPECT_FLOAT_EQ(s.intensity.r, 0.25f);
+        EXPECT_FLOAT_EQ(intensity(s).r, 0.25f);
         const double r = double(length(s.wi * s.distance - l.center));
         EXPECT_NEAR(double((s.wi * s.distance).z), 2, 1e-6);
         EXPECT_NEAR(r, (i + 0.5) / 1000, 1e-6);  // the radius is uniform
@@ -178,8 +178,8 @@ TYPED_TEST(Lights, SpheresAreDarkInsideAndFiniteAtTheSurface) {
             EXPECT_FALSE(sample_light(l, Vec3<TypeParam>(Vec3d{1, 2 + d, 3}), u).lit);
         const LightSample<TypeParam> s = sample_light(l, Vec3<TypeParam>(Vec3d{1, 4.00001, 3}), u);
         EXPECT_TRUE(s.lit);
-        EXPECT_GT(s.intensity.r, 0.9f);
-        EXPECT_LE(s.intensity.r, 2.001f);  // a half space of radiance 1, by the pdf of half the directions
+        EXPECT_GT(intensity(s).r, 0.9f);
+        EXPECT_LE(intensity(s).r, 2.001f);  // a half space of radiance 1, by the pdf of half the directions
     }
 }
 
@@ -191,13 +191,13 @@ TYPED_TEST(Lights, PointsFallOffWithTheSquareAndStayFinite) {
     for (const double d : {1e-3, 1.0, 7.0, 1e3}) {
         const LightSample<TypeParam> s = sample_light(l, Vec3<TypeParam>(Vec3d{0, d, 0}), {});
         EXPECT_TRUE(s.lit);
-        EXPECT_NEAR(double(s.intensity.r) * d * d, inv_pi, 1e-6);
+        EXPECT_NEAR(double(intensity(s).r) * d * d, inv_pi, 1e-6);
         EXPECT_NEAR(double(s.distance), d, 1e-6 * d);
     }
     EXPECT_FALSE(sample_light(l, {}, {}).lit);  // at the light itself
     const LightSample<TypeParam> near = sample_light(l, {0, TypeParam(1e-18), 0}, {});
-    EXPECT_TRUE(std::isfinite(near.intensity.r));
-    EXPECT_GT(near.intensity.r, 1e29f);
+    EXPECT_TRUE(std::isfinite(intensity(near).r));
+    EXPECT_GT(intensity(near).r, 1e29f);
 }
 
 TYPED_TEST(Lights, WithoutFalloffTheIntensityIsTheColour) {
@@ -211,7 +211,7 @@ TYPED_TEST(Lights, WithoutFalloffTheIntensityIsTheColour) {
         light.inverse_square = false;
         const LightSample<TypeParam> sample = sample_light(light, {}, u);
         EXPECT_TRUE(sample.lit);
-        EXPECT_EQ(sample.intensity, color);
+        EXPECT_EQ(intensity(sample), color);
     };
     check(p), check(r), check(s), check(legacy);
 }
@@ -228,7 +228,9 @@ void expect_lane(const LightSample<R>& lanes, int i, const LightSample<Real>& on
     EXPECT_NEAR(double(lane(lanes.wi.y, i)), double(one.wi.y), eps);
     EXPECT_NEAR(double(lane(lanes.wi.z, i)), double(one.wi.z), eps);
     EXPECT_NEAR(double(lane(lanes.distance, i)), double(one.distance), eps * 20);
-    EXPECT_NEAR(lane(lanes.intensity.g, i), one.intensity.g, 4e-6f * one.intensity.g);
+    EXPECT_NEAR(lane(lanes.radiance.g, i), one.radiance.g, 4e-6f * one.radiance.g);
+    EXPECT_NEAR(lane(lanes.pdf, i), one.pdf, 4e-6f * one.pdf);
+    EXPECT_EQ(lane_bit(lanes.is_delta, i), one.is_delta);
 }
 
 // Each lane its own light, picked by index, against that light alone.

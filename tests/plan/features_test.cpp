@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "drt/light/light_choice.h"
 #include "plan_parts.h"
 
 namespace drt {
@@ -166,7 +167,7 @@ TEST(Plan, BodiesKeepTheirMaterialsAndLightsTheirBodiesWhenSorted) {
     ASSERT_EQ(w.bodies.body_count(), 4);
     EXPECT_EQ(w.body_material, (std::vector<int>{1, -1, 0, 1}));  // ball, bulb, box, plane
     EXPECT_EQ(w.body_emitter, (std::vector<int>{-1, 0, -1, -1}));
-    EXPECT_EQ(w.lights.spheres.lights[0].body, 1);
+    EXPECT_EQ(w.lights.spheres[0].body, 1);
     EXPECT_EQ(w.bodies.centers[0], (Vec3f{3, 0, -5}));
     EXPECT_EQ(w.bodies.plane_group.first, 3);
 }
@@ -182,15 +183,37 @@ TEST(Plan, ABodyThatKeepsItsTurnedPoseIsPutThere) {
     EXPECT_TRUE(w.bodies.motions.empty());
 }
 
-TEST(Plan, ManyLightsAreChosenByPower) {
+TEST(Plan, ManyLightsWithoutFalloffAreChosenByPower) {
     SceneDesc s = plain();
-    for (int i = 0; i < few_lights; ++i) s.lights.push_back(light("l", PointLight{{0, 5, 0}}, Color(1.0f)));
-    EXPECT_TRUE(world(compile(s, {})).lights.points.ask_all());
-    s.lights.push_back(light("strong", PointLight{{0, 5, 0}}, Color(float(few_lights))));
+    const auto add = [&](double power) {
+        s.lights.push_back(light("l", PointLight{{0, 5, 0}}, Color(float(power)), Light::Falloff::none));
+    };
+    for (int i = 0; i < few_lights; ++i) add(1);
+    EXPECT_EQ(world(compile(s, {})).lights.asked.size(), size_t(few_lights));
+    add(few_lights);
     const RenderPlan plan = compile(s, {});
-    const auto& points = world(plan).lights.points;
-    ASSERT_FALSE(points.ask_all());
-    EXPECT_NEAR(probability(points.choice, few_lights), 0.5, 1e-6);
+    const auto& lights = world(plan).lights;
+    EXPECT_TRUE(lights.asked.empty());
+    EXPECT_TRUE(lights.tree.empty());
+    ASSERT_EQ(lights.plain.lights.size(), size_t(few_lights) + 1);
+    EXPECT_NEAR(probability(lights.plain.by_power, few_lights), 0.5, 1e-6);
+}
+
+TEST(Plan, ManyLightsWithFalloffOfAnyKindGetATree) {
+    SceneDesc s = plain();
+    for (int i = 0; i < few_lights; ++i) {
+        if (i % 2 == 0)
+            s.lights.push_back(light("l", PointLight{{0, 5, 0}}, Color(1.0f)));
+        else
+            s.lights.push_back(light("l", SphereLight{{0, 5, 0}, 1}, Color(1.0f)));
+    }
+    s.lights.push_back(light("plain", PointLight{{0, 5, 0}}, Color(1.0f), Light::Falloff::none));
+    EXPECT_FALSE(compile(s, {}).features.light_tree);
+    s.lights.push_back(light("ninth", PointLight{{0, 5, 0}}, Color(1.0f)));
+    const RenderPlan plan = compile(s, {});
+    EXPECT_TRUE(plan.features.light_tree);
+    EXPECT_EQ(world(plan).lights.asked, std::vector<LightId>{light_id::pack(LightKind::point, 4)});
+    EXPECT_FALSE(world(plan).lights.tree.empty());
 }
 
 TEST(Plan, TheMediaStackHoldsAsManyAsRefract) {

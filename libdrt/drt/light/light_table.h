@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "drt/base/color.h"
+#include "drt/base/constants.h"
 #include "drt/base/vec.h"
+#include "drt/light/light_tree.h"
 #include "drt/sampling/distribution.h"
 
 namespace drt {
@@ -38,23 +40,52 @@ struct SphereLightData : LightCommon<Rebind<T, float>> {
     MaskOf<T> radial{};  ///< the legacy bulb; else uniform over the visible cone
 };
 
-inline constexpr int few_lights = 8;         ///< of one kind: up to here, every hit asks every light
-inline constexpr int lights_per_choice = 4;  ///< of one kind, asked at a hit when there are more
-
-template <template <class> class Kind, class Real>
-struct LightList {
-    std::vector<Kind<Real>> lights;
-    Distribution choice;  ///< by power, when there are too many to ask each one at every hit; else empty
-    bool ask_all() const { return choice.cdf.empty(); }
+/// Lights without falloff that are too many to be asked one by one.
+struct PowerChoice {
+    std::vector<LightId> lights;
+    Distribution by_power;
 };
 
+/// Each light is asked in one of three ways, which plan_light_choice decides.
 template <class Real>
 struct LightTable {
-    LightList<PointLightData, Real> points;
-    LightList<RectLightData, Real> rects;
-    LightList<SphereLightData, Real> spheres;
-    int count() const { return int(points.lights.size() + rects.lights.size() + spheres.lights.size()); }
+    std::vector<PointLightData<Real>> points;
+    std::vector<RectLightData<Real>> rects;
+    std::vector<SphereLightData<Real>> spheres;
+    std::vector<LightId> asked;  ///< by every hit
+    LightTree tree;              ///< those with falloff, if they are many
+    PowerChoice plain;           ///< those without, if they are many
+    int count() const { return int(points.size() + rects.size() + spheres.size()); }
 };
+
+/// `visit(light)` with the one that the id names.
+template <class Real, class Visit>
+auto visit_light(const LightTable<Real>& t, LightId id, Visit visit) {
+    const auto i = size_t(light_id::index(id));
+    switch (light_id::kind(id)) {
+        case LightKind::point:
+            return visit(t.points[i]);
+        case LightKind::rect:
+            return visit(t.rects[i]);
+        case LightKind::sphere:
+            break;
+    }
+    return visit(t.spheres[i]);
+}
+
+/// The strength in the direction of the greatest, at a distance: W / sr for a light with falloff; else the colour.
+template <class Real>
+double strength(const PointLightData<Real>& l) {
+    return luminance(Color3<double>(l.color));
+}
+template <class Real>
+double strength(const RectLightData<Real>& l) {
+    return luminance(Color3<double>(l.color)) * (l.inverse_square ? double(l.area) : 1);
+}
+template <class Real>
+double strength(const SphereLightData<Real>& l) {
+    return luminance(Color3<double>(l.color)) * (l.inverse_square ? pi<double> * double(l.radius * l.radius) : 1);
+}
 
 /// `get(light)` of every lane's light.
 template <class L, class Data, class I, class Get>
@@ -152,15 +183,14 @@ SphereLightData<To> cast(const SphereLightData<From>& l) {
 }
 
 template <class To, class From>
-LightTable<To> cast(const LightTable<From>& t) {
+LightTable<To> cast(LightTable<From>&& t) {
     LightTable<To> out;
-    const auto copy = [](const auto& from, auto& to) {
-        for (const auto& l : from.lights) to.lights.push_back(cast<To>(l));
-        to.choice = from.choice;
-    };
-    copy(t.points, out.points);
-    copy(t.rects, out.rects);
-    copy(t.spheres, out.spheres);
+    for (const auto& l : t.points) out.points.push_back(cast<To>(l));
+    for (const auto& l : t.rects) out.rects.push_back(cast<To>(l));
+    for (const auto& l : t.spheres) out.spheres.push_back(cast<To>(l));
+    out.asked = std::move(t.asked);
+    out.tree = std::move(t.tree);
+    out.plain = std::move(t.plain);
     return out;
 }
 

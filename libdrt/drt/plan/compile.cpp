@@ -41,9 +41,9 @@ std::unique_ptr<World<Real>> build_world(const SceneDesc& scene, PreparedScene&&
     }
     std::vector<int> new_id(built.order.size());
     for (size_t id = 0; id < built.order.size(); ++id) new_id[size_t(built.order[id])] = int(id);
-    w->lights = cast<Real>(p.lights);
-    const auto renumber = [&](auto& list) {
-        for (auto& l : list.lights)
+    w->lights = cast<Real>(std::move(p.lights));
+    const auto renumber = [&](auto& lights) {
+        for (auto& l : lights)
             if (l.body >= 0) l.body = new_id[size_t(l.body)];
     };
     renumber(w->lights.points);

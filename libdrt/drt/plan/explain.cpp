@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "drt/light/light_tree.h"
+
 namespace drt {
 
 namespace {
@@ -37,7 +39,8 @@ Features find_features(const SceneDesc& scene, const PreparedScene& p) {
     f.textures = std::any_of(p.body_mapping.begin(), p.body_mapping.end(), [](int m) { return m >= 0; });
     f.visible_lights = !p.emitters.empty();
     f.lights = p.lights.count() > 0;
-    f.light_samples = !p.lights.rects.lights.empty() || !p.lights.spheres.lights.empty();
+    f.light_samples = !p.lights.rects.empty() || !p.lights.spheres.empty();
+    f.light_tree = !p.lights.tree.empty();
     f.specular = f.lights && any([](const Material* m) { return !is_black(m->specular); });
     const bool deep = scene.render.max_depth > 0;
     f.refraction = deep && any([](const Material* m) { return m->refraction > 0; });
@@ -74,6 +77,8 @@ Explanation explain(const SceneDesc& scene, const PreparedScene& p, const Featur
     say("textures", f.textures, fmt::format("{} textured bodies", p.mappings.size()), "no body wears a texture");
     say("lights", f.lights, fmt::format("{} lights", p.lights.count()), "no lights: ambient light only");
     say("light sample dimensions", f.light_samples, "some lights have an area", "no light has an area");
+    say("light tree", f.light_tree, fmt::format("{} of the lights with falloff are drawn at each hit", tree_draws),
+        "few lights have a falloff: each is asked");
     say("visible lights", f.visible_lights, fmt::format("{} lights are bodies", p.emitters.size()),
         "no light is a visible body");
     say("highlights", f.specular, "some material is specular", "no material is specular");

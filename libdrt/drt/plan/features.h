@@ -31,6 +31,7 @@ struct Features {
     bool visible_lights = false;
     bool lights = false;
     bool light_samples = false;       ///< some light has an area
+    bool light_tree = false;          ///< lights with falloff are so many that a tree chooses
     bool specular = false;            ///< some material has highlights
     OptionalFeature scatter = false;  ///< something reflects or refracts
     OptionalFeature refraction = false;

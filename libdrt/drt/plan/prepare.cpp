@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "drt/formats/formats.h"
+#include "drt/light/light_choice.h"
 #include "drt/plan/motion_build.h"
 
 namespace drt {
@@ -60,37 +61,24 @@ LightCommon<float> add_light_body(PreparedScene& p, const Light& light) {
     return common;
 }
 
+// A black light may be seen, but nothing asks it.
 void add_light(PreparedScene& p, const Light& light) {
     const LightCommon<float> common = add_light_body(p, light);
+    const auto add = [&](LightKind kind, auto& lights, const auto& l) {
+        if (strength(l) <= 0) return;
+        if (light.visible) p.emitters.back().light = light_id::pack(kind, lights.size());
+        lights.push_back(l);
+    };
     if (const auto* l = std::get_if<PointLight>(&light.shape)) {
-        p.lights.points.lights.push_back({common, l->position});
+        add(LightKind::point, p.lights.points, PointLightData<double>{common, l->position});
     } else if (const auto* r = std::get_if<RectLight>(&light.shape)) {
         const Vec3d n = cross(r->edge_x, r->edge_y);
-        p.lights.rects.lights.push_back(
-            {common, r->corner, r->edge_x, r->edge_y, normalize(n), length(n), r->two_sided});
+        add(LightKind::rect, p.lights.rects,
+            RectLightData<double>{common, r->corner, r->edge_x, r->edge_y, normalize(n), length(n), r->two_sided});
     } else if (const auto* s = std::get_if<SphereLight>(&light.shape)) {
-        p.lights.spheres.lights.push_back(
-            {common, s->center, s->radius, s->distribution == SphereLight::Distribution::radial});
+        const bool radial = s->distribution == SphereLight::Distribution::radial;
+        add(LightKind::sphere, p.lights.spheres, SphereLightData<double>{common, s->center, s->radius, radial});
     }
-}
-
-// The power that decides how often a light is asked when there are many. Lights without falloff count by their colour.
-double power(const PointLightData<double>& l) { return luminance(l.color) * (l.inverse_square ? 4 * pi<double> : 1); }
-double power(const RectLightData<double>& l) {
-    return luminance(l.color) * (l.inverse_square ? pi<double> * l.area * (l.two_sided ? 2 : 1) : 1);
-}
-double power(const SphereLightData<double>& l) {
-    return luminance(l.color) * (l.inverse_square ? 4 * pi<double> * pi<double> * l.radius * l.radius : 1);
-}
-
-// Black lights are left out; where many are left, they get a table to choose from.
-template <class List>
-void finish_lights(List& list) {
-    std::erase_if(list.lights, [](const auto& l) { return power(l) <= 0; });
-    if (int(list.lights.size()) <= few_lights) return;
-    std::vector<double> weights;
-    for (const auto& l : list.lights) weights.push_back(power(l));
-    list.choice = make_distribution(weights);
 }
 
 // Coordinates near the eye keep their digits in float, wherever the scene lies.
@@ -101,9 +89,9 @@ void recenter(PreparedScene& p) {
         move(b.center);
         for (MotionPiece<double>& piece : b.path) move(piece.c0);
     }
-    for (auto& l : p.lights.points.lights) move(l.position);
-    for (auto& l : p.lights.rects.lights) move(l.corner);
-    for (auto& l : p.lights.spheres.lights) move(l.center);
+    for (auto& l : p.lights.points) move(l.position);
+    for (auto& l : p.lights.rects) move(l.corner);
+    for (auto& l : p.lights.spheres) move(l.center);
     for (Vec3d& v : p.camera.eyes) move(v);
     for (Vec3d& v : p.camera.targets) move(v);
     for (MotionPiece<double>& piece : p.camera.path) move(piece.c0);
@@ -123,11 +111,9 @@ PreparedScene prepare(const SceneDesc& scene, const PlanOptions& options) {
             add_described_body(p, scene, b, material);
     }
     for (const Light& l : scene.lights) add_light(p, l);
-    finish_lights(p.lights.points);
-    finish_lights(p.lights.rects);
-    finish_lights(p.lights.spheres);
     p.camera = build_camera(scene.render, scene.cameras[size_t(p.exposure.camera)], p.exposure);
     recenter(p);
+    plan_light_choice(p.lights);
     return p;
 }
 

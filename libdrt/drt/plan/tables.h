@@ -42,7 +42,9 @@ std::size_t world_memory(const World<Real>& w) {
     const BodyTable<Real>& b = w.bodies;
     std::size_t sum = bytes(b.centers) + bytes(b.motions) + bytes(b.pieces) + bytes(b.spheres) + bytes(b.flats) +
                       bytes(b.boxes) + bytes(b.cylinders) + bytes(b.planes) + bytes(w.body_material) +
-                      bytes(w.body_emitter) + bytes(w.body_mapping) + bytes(w.mappings) + w.accel->memory();
+                      bytes(w.body_emitter) + bytes(w.body_mapping) + bytes(w.mappings) + w.accel->memory() +
+                      bytes(w.lights.points) + bytes(w.lights.rects) + bytes(w.lights.spheres) +
+                      bytes(w.lights.tree.nodes);
     for (const auto& t : w.textures.maps) sum += bytes(t->texels);
     return sum;
 }

@@ -33,6 +33,7 @@ struct Mapping {
 struct Emitter {
     Color radiance;
     bool two_sided = true;
+    LightId light = no_light;  ///< none if it is black
 };
 
 struct SamplePlan {

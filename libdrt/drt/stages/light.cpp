@@ -1,3 +1,4 @@
+#include "drt/light/light_choice.h"
 #include "drt/light/light_sample.h"
 #include "drt/material/phong.h"
 #include "drt/stages/accumulate.h"
@@ -44,24 +45,24 @@ template <class Real>
     return {num_cast<R>(u.x), num_cast<R>(u.y)};
 }
 
-// One sample of a light (each lane may have a light of its own) for packet i: into the batch's shadow rays, with the
-// light that arrives.
-template <class Real, class Light>
-[[gnu::always_inline]] inline void sample_packet(RayBatch<Real>& b, int i, const Light& light,
-                                                 const Vec2<typename Pack<Real>::R>& u,
-                                                 const typename Pack<Real>::F& weight) {
+// A sample of a light (each lane may have a light of its own) for packet i: into the batch's shadow rays, with the
+// light that arrives. It is one of `samples` that are taken of the light in the mean.
+template <class Real>
+[[gnu::always_inline]] inline void store_sample(RayBatch<Real>& b, int i,
+                                                const LightSample<typename Pack<Real>::R>& sample,
+                                                const typename Pack<Real>::I& body,
+                                                const typename Pack<Real>::F& samples) {
     using P = Pack<Real>;
     using R = typename P::R;
     using F = typename P::F;
     using I = typename P::I;
-    const LightSample<R> sample = sample_light(light, load3<R>(b.p, i), u);
     // In front by the same normal, in the precision that decides which side the shadow ray leaves on.
     const auto in_front = mask_cast<F>(dot(load3<R>(b.n, i), sample.wi) > R(0));
     const auto lit = mask_cast<F>(load<I>(b.material.at(i)) >= I(0)) && sample.lit && in_front;
-    store_color(select(lit, sample.intensity * weight, Color3<F>(F(0))), b.shadow.light, i);
+    store_color(select(lit, intensity(sample, samples), Color3<F>(F(0))), b.shadow.light, i);
     store3(sample.wi, b.shadow.d, i);
     store(sample.distance, b.shadow.distance.at(i));
-    store(light.body, b.shadow.exclude.at(i));
+    store(body, b.shadow.exclude.at(i));
 }
 
 // Turns the light that arrives at packet i into the light that is reflected by Phong's terms. False if there is none.
@@ -117,47 +118,87 @@ void trace_shadow_rays(StageContext<Real>& c) {
     }
 }
 
-// Every surface point samples the light that `light_at` gives it: packet -> light and weight.
-template <class Real, class LightAt>
-void light_pass(StageContext<Real>& c, DimId dimension, bool has_area, LightAt light_at) {
-    using R = typename Pack<Real>::R;
+// Shades the samples in the batch's shadow rays and adds those that nothing hides.
+template <class Real>
+void shade_and_trace(StageContext<Real>& c) {
     RayBatch<Real>& b = *c.batch;
-    for (int i = 0; i < b.count; i += Pack<Real>::width) {
-        const auto& light = light_at(i);  // a reference, or a value whose life it prolongs
-        const Vec2<R> u = has_area ? light_point(c, i, dimension) : Vec2<R>{};
-        sample_packet(b, i, light.first, u, light.second);
-    }
     bool lit = false;
     for (int i = 0; i < b.count; i += Pack<Real>::width) lit = shade_packet(*c.world, b, i) || lit;
     if (lit) trace_shadow_rays(c);
 }
 
-// All lights of one kind: each of them, or a few chosen by power, stratified.
+// Every surface point samples the same light.
 template <class Real, template <class> class Kind>
-void light_from_all(StageContext<Real>& c, const LightList<Kind, Real>& list, int& light_number) {
+void ask_light(StageContext<Real>& c, const Kind<Real>& l, DimId dimension) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    constexpr bool has_area = !std::is_same_v<Kind<Real>, PointLightData<Real>>;
+    RayBatch<Real>& b = *c.batch;
+    const Kind<R> light = cast<R>(l);
+    for (int i = 0; i < b.count; i += Pack<Real>::width) {
+        const Vec2<R> u = has_area ? light_point(c, i, dimension) : Vec2<R>{};
+        store_sample(b, i, sample_light(light, load3<R>(b.p, i), u), light.body, F(1));
+    }
+    shade_and_trace(c);
+}
+
+// Every surface point samples the light that was drawn for it.
+template <class Real>
+void ask_drawn_lights(StageContext<Real>& c, const LightDraws& draws, DimId dimension) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    using I = typename Pack<Real>::I;
+    RayBatch<Real>& b = *c.batch;
+    for (int i = 0; i < b.count; i += Pack<Real>::width) {
+        const I id = load<I>(draws.light.at(i));
+        const Vec2<R> u = c.world->features.light_samples ? light_point(c, i, dimension) : Vec2<R>{};
+        const PickedSample<R> picked = sample_picked(c.world->lights, id, load3<R>(b.p, i), u);
+        store_sample(b, i, picked.sample, picked.body, load<F>(draws.samples.at(i)));
+    }
+    shade_and_trace(c);
+}
+
+// The light tree draws for every hit, none for the unused lanes of the last packet. One hit after the other: lanes hold
+// the children of a node.
+template <class Real>
+void draw_from_tree(StageContext<Real>& c) {
+    RayBatch<Real>& b = *c.batch;
+    const DimId dimension = dim(HitDim::light_tree, b.bounce);
+    constexpr int width = Pack<Real>::width;
+    const int whole_packets = (b.count + width - 1) / width * width;
+    for (int i = 0; i < whole_packets; ++i) {
+        std::array<LightDraw, tree_draws> drawn{};
+        if (b.slot[i] >= 0 && b.material[i] >= 0) {
+            const Vec2<float> u = sample_2d(c.world->sampling.kind, SampleSet<float>{b.key[i], b.index[i]}, dimension);
+            const Vec3<Real> p{b.p.x[i], b.p.y[i], b.p.z[i]};
+            const Vec3f n{float(b.n.x[i]), float(b.n.y[i]), float(b.n.z[i])};
+            choose_lights(c.world->lights.tree, p, n, std::uint32_t(u.x * 0x1p24f) << 8,
+                          std::uint32_t(u.y * 0x1p24f) << 8, drawn);
+        }
+        for (size_t k = 0; k < drawn.size(); ++k) {
+            b.drawn[k].light[i] = drawn[k].light;
+            b.drawn[k].samples[i] = float(tree_draws) * drawn[k].probability;
+        }
+    }
+}
+
+// Lights without falloff, by power.
+template <class Real>
+void draw_by_power(StageContext<Real>& c, int draw) {
     using P = Pack<Real>;
-    using R = typename P::R;
     using F = typename P::F;
     using U = typename P::U;
-    constexpr bool has_area = !std::is_same_v<Kind<Real>, PointLightData<Real>>;
-    const RayBatch<Real>& b = *c.batch;
-    const auto next_dimension = [&] { return dim(HitDim::light, b.bounce, light_number++); };
-    if (list.ask_all()) {
-        for (const Kind<Real>& l : list.lights) {
-            const std::pair<Kind<R>, F> light{cast<R>(l), F(1)};
-            const auto same = [&](int) -> const auto& { return light; };
-            light_pass(c, next_dimension(), has_area, same);
-        }
-        return;
+    using I = typename P::I;
+    RayBatch<Real>& b = *c.batch;
+    const PowerChoice& plain = c.world->lights.plain;
+    const DimId dimension = dim(HitDim::light_choice, b.bounce);
+    for (int i = 0; i < b.count; i += P::width) {
+        const SampleSet<F> samples{load<U>(b.key.at(i)), load<U>(b.index.at(i))};
+        const F u = sample_1d(c.world->sampling.kind, samples, dimension);
+        const Choice<F> chosen = choose(plain.by_power, F((u + F(float(draw))) * F(1.0f / plain_draws)));
+        store(gather<I>(plain.lights.data(), chosen.index), b.drawn[size_t(draw)].light.at(i));
+        store(F(chosen.probability * F(plain_draws)), b.drawn[size_t(draw)].samples.at(i));
     }
-    const DimId choice = dim(HitDim::light_choice, b.bounce, light_number);
-    for (int pick_number = 0; pick_number < lights_per_choice; ++pick_number)
-        light_pass(c, next_dimension(), has_area, [&](int i) {
-            const SampleSet<F> samples{load<U>(b.key.at(i)), load<U>(b.index.at(i))};
-            const F u = sample_1d(c.world->sampling.kind, samples, choice);
-            const Choice<F> chosen = choose(list.choice, F((u + F(float(pick_number))) * F(1.0f / lights_per_choice)));
-            return std::pair{pick<R>(list.lights, chosen.index), F(F(1.0f / lights_per_choice) / chosen.probability)};
-        });
 }
 
 }  // namespace
@@ -165,12 +206,23 @@ void light_from_all(StageContext<Real>& c, const LightList<Kind, Real>& list, in
 template <class Real>
 void light_stage(StageContext<Real>& c) {
     const LightTable<Real>& lights = c.world->lights;
-    static_assert(3 * few_lights <= most_numbers);
+    static_assert(2 * few_lights + tree_draws + plain_draws <= most_numbers);
+    const RayBatch<Real>& b = *c.batch;
     int light_number = 0;  // names the sample dimensions of each light
-    if (!lights.rects.lights.empty() || !lights.spheres.lights.empty()) draw_light_digits(c);
-    light_from_all(c, lights.points, light_number);
-    light_from_all(c, lights.rects, light_number);
-    light_from_all(c, lights.spheres, light_number);
+    const auto next_dimension = [&] { return dim(HitDim::light, b.bounce, light_number++); };
+    if (c.world->features.light_samples) draw_light_digits(c);
+    for (const LightId id : lights.asked)
+        visit_light(lights, id, [&](const auto& light) { ask_light(c, light, next_dimension()); });
+    if (!lights.tree.empty()) {
+        draw_from_tree(c);
+        for (const LightDraws& draws : b.drawn) ask_drawn_lights(c, draws, next_dimension());
+    }
+    if (!lights.plain.lights.empty()) {
+        for (int k = 0; k < plain_draws; ++k) {
+            draw_by_power(c, k);
+            ask_drawn_lights(c, b.drawn[size_t(k)], next_dimension());
+        }
+    }
 }
 
 template void light_stage(StageContext<float>&);

@@ -59,6 +59,12 @@ struct ShadowRays {
     Column3<float> light;          ///< what arrives and is reflected if nothing is in the way; 0: no ray
 };
 
+/// A light for each hit, of those that are too many to ask every one.
+struct LightDraws {
+    Column<std::int32_t> light;  ///< its id, or no_light
+    Column<float> samples;       ///< how many are taken of it at this hit in the mean
+};
+
 template <class Real>
 struct RayBatch {
     // rays 0 .. count - 1, compacted after each bounce; `slot` leads back to the path
@@ -84,6 +90,7 @@ struct RayBatch {
     Column<std::int32_t> outward;   ///< 1: the ray came from the side that ng points to
     Column3<float> albedo;          ///< diffuse colour, textured or not
     ShadowRays<Real> shadow;
+    std::array<LightDraws, 4> drawn;
 
     // paths, by slot: not compacted
     Column3<float> radiance;
