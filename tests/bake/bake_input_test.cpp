@@ -68,7 +68,9 @@ TEST(BakeInput, KnowsWhatMatters) {
              s.cameras[0].motion = Motion{{}, {key(0, {1, 1, 1})}};
          }},
         {"angle of view", [](SceneDesc& s) { s.cameras[0].fov_degrees_end = 30; }},
+        {"zoom", [](SceneDesc& s) { s.cameras[0].zoom = Camera::Zoom::image_width; }},
         {"video", [](SceneDesc& s) { s.cameras[0].video_end = 3; }},
+        {"end of the video", [](SceneDesc& s) { s.cameras[0].video_end_inclusive = true; }},
         {"slow motion", [](SceneDesc& s) { s.cameras[0].time_end = 1; }},
         {"exposure beyond the end", [](SceneDesc& s) { s.cameras[0].shutter.duration = 1; }},
     };
@@ -131,10 +133,14 @@ double end_of(const SceneDesc& s, double until) { return bake_input(s, until).en
 TEST(BakeInput, EndsWithTheLatestThatAVideoShows) {
     SceneDesc s = flying_ball();
     s.render.fps = 10;
-    EXPECT_NEAR(end_of(s, 0), 2.1, 1e-15);  // with the exposure of the last frame
-    EXPECT_EQ(end_of(s, 2.1), end_of(s, 0));
+    EXPECT_NEAR(end_of(s, 0), 2, 1e-15);  // when the exposure of the last frame ends
+    s.cameras[0].shutter.duration = 0.25;
+    EXPECT_NEAR(end_of(s, 0), 2.15, 1e-15);
     s.cameras[0].shutter.duration = 0;
+    EXPECT_NEAR(end_of(s, 0), 1.9, 1e-15);
+    s.cameras[0].video_end_inclusive = true;
     EXPECT_EQ(end_of(s, 0), 2);
+    EXPECT_EQ(end_of(s, 2), end_of(s, 0));
     s.cameras[0].time_start = 1;
     s.cameras[0].time_end = 1.5;  // slow motion
     EXPECT_EQ(end_of(s, 0), 1.5);

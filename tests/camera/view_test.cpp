@@ -1,38 +1,48 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "drt/base/simd.h"
 #include "drt/camera/camera_model.h"
 
 namespace drt {
 namespace {
 
-Vec3d de_casteljau(std::vector<Vec3d> points, double s) {
-    for (; points.size() > 1; points.pop_back())
-        for (size_t i = 0; i + 1 < points.size(); ++i) points[i] = points[i] * (1 - s) + points[i + 1] * s;
-    return points.front();
-}
-
-// Inside the interval and past its end, where an exposure may go.
-TEST(Bezier, IsDeCasteljausCurveForEveryDegree) {
-    std::vector<Vec3d> points;
-    for (int degree = 0; degree <= 7; ++degree) {
-        points.push_back({1.0 + degree * degree, 3.0 - degree, degree % 3 - 0.5});
-        for (const double s : {0.0, 0.1, 0.5, 0.9, 1.0, 1.2}) {
-            const Vec3d difference = bezier(points, s) - de_casteljau(points, s);
-            EXPECT_LT(length(difference), 1e-12) << "degree " << degree << ", s " << s;
+// A Chebyshev series is the same polynomial as its powers, for any number of terms.
+TEST(Curve, IsAChebyshevSeries) {
+    Curve<double> c;
+    for (int n = 1; n <= 300; ++n) {
+        c.push_back(1.0 / n);
+        for (const double x : {-1.0, -0.3, 0.0, 0.4, 1.0}) {
+            double sum = 0;
+            for (int k = 0; k < n; ++k) sum += c[size_t(k)] * std::cos(k * std::acos(x));
+            EXPECT_NEAR(value_at<double>(c, x), sum, n * 2e-15) << n << " terms, x = " << x;
+            EXPECT_NEAR(value_at<float>(cast<float>(c), float(x)), sum, n * 1e-6) << n << " terms, x = " << x;
         }
     }
+}
+
+TEST(Curve, OfOneTermIsTheTermItself) { EXPECT_EQ(value_at<Vec3d>(Curve<Vec3d>{{1, 2, 3}}, 0.7), (Vec3d{1, 2, 3})); }
+
+TEST(View, StandsStillOutsideOfItsCurves) {
+    CameraModel<double> model;
+    model.film = {64, 48};
+    model.focus = {3, 1};
+    model.begin = 0.25;
+    model.inv_length = 4;
+    EXPECT_EQ(view_at(model, 0.1).focus, 2);
+    EXPECT_EQ(view_at(model, 0.375).focus, 3);
+    EXPECT_EQ(view_at(model, 0.8).focus, 4);
 }
 
 TEST(View, LanesSeeWhatScalarsSee) {
     CameraModel<double> model;
     model.film = {64, 48};
-    model.eyes = {{0, 0, 5}, {1, 2, 5}, {2, 0, 4}};
-    model.targets = {{0, 0, 0}, {0, 1, 0}};
-    model.s0 = 0.2;
-    model.s1 = 0.7;
+    model.eye = {{0, 0, 5}, {0.1, 0.2, 0.5}, {0.02, 0, 0.4}};
+    model.view = {{0, 0, -5}, {0, 0.1, 0}};
     model.up = {{0, 1, 0}, {0.5, 1, 0}};
-    model.fov = {0.8, 1.1};
+    model.pixel_width = {0.01, 0.002, 0.0003};
+    model.image_distance = {0.9, -0.01};
     model.focus = {2, 3};
     using R = Pack<double>::R;
     const R u([](auto i) { return 0.1 * double(i); });

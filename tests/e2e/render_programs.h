@@ -18,7 +18,7 @@ using test::ProcessResult;
 using test::read_bytes;
 using test::TempFolder;
 
-/// A ball on a floor under a square lamp, 24 x 16 pixels, 4 samples a pixel. Frame 0 to 10 only.
+/// A ball on a floor under a square lamp, 24 x 16 pixels, 4 samples a pixel. Frames 0 to 9 only.
 extern const std::string small_scene;
 
 ProcessResult render(const std::vector<std::string>& arguments, const ProcessOptions& = {});

@@ -50,7 +50,9 @@ Camera example_camera() {
     c.fov_degrees_end = degrees(2 * std::atan(6.0 / 2));
     c.lens = {0.2, 20, 60, Lens::Distribution::radial, Lens::FocusSurface::sphere};
     c.shutter = {std::nullopt, 0.2};
+    c.zoom = Camera::Zoom::image_width;
     c.video_end = 8;
+    c.video_end_inclusive = true;
     c.time_start = 0;
     c.time_end = 8;
     return c;
@@ -131,6 +133,7 @@ TEST(LegacyExample, OptionsReplaceTheAssumptions) {
     o.add_lights = true;
     const SceneDesc s = read_legacy_scene(example, o).scene;
     EXPECT_EQ(s.cameras[0].fov_degrees_start, degrees(2 * std::atan(1 / 2.5)));
+    EXPECT_EQ(s.cameras[0].zoom, Camera::Zoom::focal_length);
     EXPECT_EQ(s.gravity, (Vec3d{0, 0, -1.62}));
     EXPECT_EQ(s.bodies[0].physics->density, 3);
     EXPECT_EQ(s.bodies[0].physics->impulses[0].impulse, (Vec3d{1000, 0, 0}));

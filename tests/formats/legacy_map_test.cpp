@@ -109,10 +109,28 @@ TEST(LegacyCamera, EveryAttribute) {
     EXPECT_EQ(c.lens.focus_end, 5);
     EXPECT_EQ(c.fov_degrees_start, degrees(2 * std::atan(0.5)));
     EXPECT_EQ(c.fov_degrees_end, degrees(2 * std::atan(1.0)));
+    EXPECT_EQ(c.zoom, Camera::Zoom::image_width);
+    EXPECT_TRUE(c.video_end_inclusive);
     EXPECT_EQ(c.positions, (std::vector<Vec3d>{{1, 2, 3}, {7, 8, 9}}));
     EXPECT_EQ(c.targets, (std::vector<Vec3d>{{4, 5, 6}}));
     EXPECT_EQ(c.up_start, (Vec3d{1, 0, 0}));
     EXPECT_EQ(c.up_end, (Vec3d{0, 0, 1}));
+}
+
+// FOV goes linearly: the width of the image at distance 1, or its distance.
+TEST(LegacyCamera, TheNumberZoomsNotTheAngle) {
+    const auto zoom = [](const std::string& attributes, LegacyOptions::Fov fov) {
+        LegacyOptions options;
+        options.fov = fov;
+        return read("camera C { video_end 8 " + attributes + " }", options).scene.cameras.at(0).zoom;
+    };
+    using Fov = LegacyOptions::Fov;
+    EXPECT_EQ(zoom("FOV_start 0.7 FOV_end 1.6", Fov::half_width), Camera::Zoom::image_width);
+    EXPECT_EQ(zoom("FOV_start 0.7 FOV_end 1.6", Fov::distance), Camera::Zoom::focal_length);
+    EXPECT_EQ(zoom("FOV_end 1.6", Fov::half_width), Camera::Zoom::image_width);  // from an angle of 45 degrees
+    for (const Fov fov : {Fov::half_width, Fov::distance})                       // no zoom at all
+        for (const char* attributes : {"", "FOV_start 0.7", "FOV_start 0.7 FOV_end 0.7", "FOV_start 0.7 FOV_end -1"})
+            EXPECT_EQ(zoom(attributes, fov), Camera::Zoom::angle) << attributes;
 }
 
 TEST(LegacyCamera, MinusOneAndAbsenceAreImplicit) {
@@ -139,6 +157,7 @@ TEST(LegacyCamera, ImplicitTimesFollowTheNeighbours) {
     EXPECT_EQ(s.cameras[2].video_end, 14);
     EXPECT_EQ(s.cameras[3].video_start, 14);
     EXPECT_EQ(s.cameras[3].video_end, std::nullopt);
+    for (const Camera& c : s.cameras) EXPECT_EQ(c.video_end_inclusive, c.video_end.has_value());
 }
 
 TEST(LegacyMaterial, EveryAttribute) {

@@ -55,7 +55,9 @@ TEST(LegacyYaml, OptionsAreWrittenOut) {
     o.ambient_light = 0.15f;
     o.add_lights = true;
     expect_same_after_yaml(
-        "camera C { FOV_start 2.5 } sphere s { use_physics 1 add_force_event { force { 1 2 3 } time 0.1 } }", o);
+        "camera C { FOV_start 2.5 FOV_end 0.7 video_end 3 } sphere s { use_physics 1 add_force_event { force { 1 2 3 } "
+        "time 0.1 } }",
+        o);
 }
 
 TEST(LegacyYaml, BoxesInAnyOrientation) {

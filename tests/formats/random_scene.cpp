@@ -127,6 +127,8 @@ void fill_motion(Motion& motion) {
     if (motion.keys.empty()) motion.keys.resize(1);
     for (std::size_t i = 0; i < motion.keys.size(); ++i) motion.keys[i].time = -3 + 0.7 * double(i);
     motion.keys[0].turn.reset();
+    for (MotionKey& key : motion.keys)
+        if (key.turn) key.orientation.reset();
 }
 
 void make_valid(Filler& filler, Body& body) {

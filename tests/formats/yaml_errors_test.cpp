@@ -423,6 +423,29 @@ const std::vector<Case> value_cases{
      "bad.yaml:5:23: error: refraction_index is out of range \"0\"; expected a number > 0\n"
      "bad.yaml:8:13: error: radius is out of range \"-1\"; expected a number > 0\n"
      "bad.yaml:9:15: error: unknown material \"glas\"; expected the name of a material; did you mean \"glass\"?"},
+    {"orientation_beside_turn",
+     "drt: 1\n"
+     "cameras:\n"
+     "  - motion:\n"
+     "      keys:\n"
+     "        - {time: 0, position: [0, 0, 5], turn: {degrees: 9}, orientation: [1, 0, 0, 0]}\n"
+     "        - {time: 1, orientation: [1, 0, 0, 0], turn: {degrees: 90}}\n"
+     "        - {time: 2, orientation: {axis: [0, 1, 0], degrees: 9}, turn: {degrees: 90}}\n"
+     "        - {time: 3, turn: {degrees: 90}}\n"
+     "        - {time: 4, orientation: {axis: [0, 1, 0], degrees: 9}}\n",
+     "bad.yaml:5:48: error: turn beside orientation; expected one of the two\n"
+     "bad.yaml:6:54: error: turn beside orientation; expected one of the two\n"
+     "bad.yaml:7:71: error: turn beside orientation; expected one of the two"},
+    {"zoom_and_end",
+     "drt: 1\n"
+     "cameras:\n"
+     "  - fov_degrees: {start: 40, end: 20}\n"
+     "    zoom: image_widht\n"
+     "    video_end: 4\n"
+     "    video_end_inclusive: 1\n",
+     "bad.yaml:4:11: error: unknown zoom \"image_widht\"; expected one of angle, image_width, focal_length; did you "
+     "mean \"image_width\"?\n"
+     "bad.yaml:6:26: error: video_end_inclusive is neither true nor false \"1\"; expected true or false"},
     {"zero_fov",
      "drt: 1\n"
      "cameras:\n"

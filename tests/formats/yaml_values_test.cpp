@@ -77,7 +77,9 @@ TEST(YamlValues, StartAndEndOrOneForBoth) {
         "    lens: {focus_distance: {end: 3}}\n"
         "    target: [1, 0, 0]\n"
         "    positions: [[0, 0, 9], [0, 1, 9]]\n"
-        "    video_end: 1\n");
+        "    video_end: 1\n"
+        "    video_end_inclusive: true\n"
+        "  - {fov_degrees: {start: 20, end: 40}, zoom: focal_length, video_start: 2, video_end: 3}\n");
     const Camera& c = scene.cameras[0];
     EXPECT_EQ(c.fov_degrees_start, 30);
     EXPECT_EQ(c.fov_degrees_end, std::nullopt);
@@ -87,6 +89,10 @@ TEST(YamlValues, StartAndEndOrOneForBoth) {
     EXPECT_EQ(c.lens.focus_end, 3);
     EXPECT_EQ(c.targets, (std::vector<Vec3d>{{1, 0, 0}}));
     EXPECT_EQ(c.positions, (std::vector<Vec3d>{{0, 0, 9}, {0, 1, 9}}));
+    EXPECT_TRUE(c.video_end_inclusive);
+    EXPECT_EQ(c.zoom, Camera::Zoom::angle);
+    EXPECT_EQ(scene.cameras[1].zoom, Camera::Zoom::focal_length);
+    EXPECT_FALSE(scene.cameras[1].video_end_inclusive);
 }
 
 TEST(YamlValues, KeysRepeatThePositionOfTheKeyBefore) {
@@ -107,7 +113,7 @@ TEST(YamlValues, KeysRepeatThePositionOfTheKeyBefore) {
     EXPECT_EQ(m.keys[1].turn, (Turn{{0, 0, 1}, 720}));
     EXPECT_EQ(m.keys[2].orientation, (Quatd{0, 1, 0, 0}));
     EXPECT_EQ(m.keys[3].position, (Vec3d{4, 5, 6}));
-    EXPECT_EQ(m.keys[3].orientation, Quatd{});
+    EXPECT_EQ(m.keys[3].orientation, std::nullopt);
 }
 
 TEST(YamlValues, AliasesStandForTheirAnchors) {

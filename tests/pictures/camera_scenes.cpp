@@ -158,16 +158,18 @@ PictureCase moving_lens(const std::string& folder) {
     picture.scene.cameras[0].lens.aperture_radius = 0.15;
     picture.scene.cameras[0].lens.focus_start = 4;
     picture.scene.cameras[0].fov_degrees_end = 60;
+    picture.scene.cameras[0].zoom = Camera::Zoom::focal_length;
     picture.scene.cameras[0].video_end = 0.5;
     return picture;
 }
 
-/// The last frame's exposure runs on past the camera's end: curves, bodies and all linear values keep their pace.
+/// The last frame's exposure begins before the camera's end and runs on past it: what goes from start to end stands
+/// still there, the bodies keep their pace.
 PictureCase past_the_end() {
     PictureCase picture{"exposure past the end", row()};
     SceneDesc& scene = picture.scene;
     scene.render.fps = 10;
-    picture.frame = 5;
+    picture.frame = 4;
     scene.bodies[1].motion =
         Motion{Motion::Interpolation::linear, {key(-1, {-1.5, 0.5, 2.2}), key(1, {1.1, 0.9, 2.2})}};
     Camera& camera = scene.cameras[0];
@@ -177,9 +179,10 @@ PictureCase past_the_end() {
     camera.fov_degrees_end = 55;
     camera.lens.aperture_radius = 0.05;
     camera.lens.focus_end = 3.5;  // from the first target's distance
-    camera.video_end = 0.5;
+    camera.zoom = Camera::Zoom::image_width;
+    camera.video_end = 0.45;
     camera.time_start = 0.9;  // twice as fast as the video, and backwards
-    camera.time_end = -0.1;
+    camera.time_end = 0;
     camera.shutter.duration = 0.2;
     return picture;
 }

@@ -48,9 +48,12 @@ TEST(Exposure, TheParameterGoesOverTheVideo) {
     SceneDesc s = scene({camera("a", 1, 5)});
     expect_exposure(exposure_of_frame(s, 25), 0, 0.01, 1, 1.04);
     expect_exposure(exposure_of_frame(s, 75), 0.5, 0.51, 3, 3.04);
-    expect_exposure(exposure_of_frame(s, 125), 1, 1.01, 5, 5.04);  // the last frame runs on at the same pace
     s.cameras[0].shutter.duration = 0.0;
     expect_exposure(exposure_of_frame(s, 75), 0.5, 0.5, 3, 3);
+    s.cameras[0].shutter.duration = 0.12;  // the exposure of the last frame runs on at the same pace
+    expect_exposure(exposure_of_frame(s, 124), 0.99, 1.02, 4.96, 5.08);
+    s.cameras[0].video_end_inclusive = true;
+    expect_exposure(exposure_of_frame(s, 125), 1, 1.03, 5, 5.12);
 }
 
 TEST(Exposure, SceneTimeMayBeSlowFastFrozenOrReversed) {
@@ -74,9 +77,26 @@ TEST(Exposure, ACutBelongsToTheCameraThatBegins) {
     EXPECT_EQ(who(0), 0);
     EXPECT_EQ(who(24), 0);
     EXPECT_EQ(who(25), 1);
-    EXPECT_EQ(who(50), 1);  // nobody else begins there
+    EXPECT_EQ(who(49), 1);
+    EXPECT_THROW(who(50), Error);
     EXPECT_EQ(who(75), 2);
     EXPECT_EQ(who(100000), 2);
+}
+
+TEST(Exposure, AnInclusiveEndIsRecordedUnlessAnotherCameraRecordsIt) {
+    SceneDesc s = scene({camera("a", 0, 1), camera("b", 1, 2), camera("c", 2, 3)});
+    s.cameras[0].video_end_inclusive = s.cameras[1].video_end_inclusive = true;
+    const auto who = [&](int frame) { return exposure_of_frame(s, frame).camera; };
+    EXPECT_EQ(who(25), 1);
+    EXPECT_EQ(who(50), 2);
+    EXPECT_THROW(who(75), Error);
+    s.cameras[2].video_end_inclusive = true;
+    EXPECT_EQ(who(75), 2);
+    EXPECT_THROW(who(76), Error);
+    std::swap(s.cameras[0], s.cameras[2]);  // whatever the order in the file
+    EXPECT_EQ(s.cameras[size_t(who(25))].name, "b");
+    EXPECT_EQ(s.cameras[size_t(who(50))].name, "c");
+    EXPECT_EQ(s.cameras[size_t(who(75))].name, "c");
 }
 
 TEST(Exposure, OfOverlappingCamerasTheFirstOrTheNamedOneRecords) {
@@ -94,7 +114,7 @@ TEST(Exposure, FramesThatNobodyRecordsAreUsageErrorsThatNameTheRecordedOnes) {
     } catch (const Error& e) {
         EXPECT_EQ(e.kind(), ErrorKind::usage);
         EXPECT_NE(std::string(e.what()).find("no camera records frame 30"), std::string::npos) << e.what();
-        EXPECT_NE(std::string(e.what()).find("camera \"a\" records frames 0..25"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("camera \"a\" records frames 0..24"), std::string::npos) << e.what();
         EXPECT_NE(std::string(e.what()).find("camera \"b\" records frames 50.."), std::string::npos) << e.what();
     }
     try {

@@ -174,7 +174,8 @@ TEST(Plan, BodiesKeepTheirMaterialsAndLightsTheirBodiesWhenSorted) {
 
 TEST(Plan, ABodyThatKeepsItsTurnedPoseIsPutThere) {
     SceneDesc s = scene_with(Box{{9, 9, 9}, {1, 2, 4}, {}});
-    s.bodies[0].motion = Motion{Motion::Interpolation::linear, {turning_key(0, {0, 0, -5}, {0, 0, 1}, 90)}};
+    s.bodies[0].motion =
+        Motion{Motion::Interpolation::linear, {key(0, {0, 0, -5}, quat_from_axis_angle({0, 0, 1}, pi<double> / 2))}};
     const RenderPlan plan = compile(s, {});
     const World<float>& w = world(plan);
     EXPECT_FALSE(plan.features.time);

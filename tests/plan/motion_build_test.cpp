@@ -46,7 +46,7 @@ Quatd slerp(const Quatd& a, Quatd b, double h) {
 
 Quatd key_orientation(const Motion& m, size_t i) {
     const MotionKey& k = m.keys[i];
-    if (!k.turn) return normalize(k.orientation);
+    if (!k.turn) return normalize(k.orientation.value_or(Quatd{}));
     const Quatd turn = quat_from_axis_angle(normalize(k.turn->axis), radians(k.turn->degrees));
     return i == 0 ? turn : turn * key_orientation(m, i - 1);
 }

@@ -8,10 +8,11 @@
 namespace drt::reference {
 namespace {
 
-/// Share of the camera's video interval that has passed; 0 for an interval without end. An exposure that runs past
-/// the interval's end goes on at the same pace, so beyond 1.
+/// How far the camera is on its way from start to end; at its start if its video has no end. Before and after its
+/// video it stands still.
 double progress(const Camera& camera, double video_time) {
-    if (!camera.video_end || *camera.video_end <= camera.video_start) return 0;
+    if (!camera.video_end || video_time <= camera.video_start) return 0;
+    if (video_time >= *camera.video_end) return 1;
     return (video_time - camera.video_start) / (*camera.video_end - camera.video_start);
 }
 
@@ -35,6 +36,21 @@ Vec3d bezier(std::vector<Vec3d> points, double s) {  // de Casteljau
 template <class T>
 T mix(const T& start, const std::optional<T>& end, double s) {
     return end ? start * (1 - s) + *end * s : start;
+}
+
+/// Half of what the picture's width spans at distance 1.
+double half_width_at(const Camera& camera, double s) {
+    const double start = camera.fov_degrees_start, end = camera.fov_degrees_end.value_or(start);
+    const double a = std::tan(radians(start / 2)), b = std::tan(radians(end / 2));
+    switch (camera.zoom) {
+        case Camera::Zoom::angle:
+            return std::tan(radians(start * (1 - s) + end * s) / 2);
+        case Camera::Zoom::image_width:
+            return a * (1 - s) + b * s;
+        case Camera::Zoom::focal_length:
+            return 1 / ((1 - s) / a + s / b);
+    }
+    throw std::invalid_argument("an unknown zoom");
 }
 
 struct View {
@@ -68,7 +84,7 @@ const Camera& camera_at(const SceneDesc& scene, double video_time) {
     for (const Camera& camera : scene.cameras)
         if (video_time >= camera.video_start && video_time < camera.video_end.value_or(forever)) return camera;
     for (const Camera& camera : scene.cameras)
-        if (video_time >= camera.video_start && video_time <= camera.video_end.value_or(forever)) return camera;
+        if (camera.video_end_inclusive && video_time == camera.video_end) return camera;
     throw std::invalid_argument("no camera records this frame");
 }
 
@@ -87,14 +103,14 @@ double scene_time(const Camera& camera, double video_time) {
     const double start = camera.time_start.value_or(camera.video_start);
     if (!camera.video_end) return start + (video_time - camera.video_start);
     const double end = camera.time_end.value_or(start + (*camera.video_end - camera.video_start));
-    return start + (end - start) * progress(camera, video_time);
+    const double share = (video_time - camera.video_start) / (*camera.video_end - camera.video_start);
+    return start + (end - start) * share;
 }
 
 Ray camera_ray(const Camera& camera, double video_time, double x, double y, int width, int height, Random& random) {
     const double s = progress(camera, video_time);
     const View view = view_at(camera, s, scene_time(camera, video_time));
-    const double fov = mix(camera.fov_degrees_start, camera.fov_degrees_end, s);
-    const double half_width = std::tan(radians(fov) / 2);  // of the image at distance 1
+    const double half_width = half_width_at(camera, s);
     const Vec3d through = view.forward + view.right * ((2 * x / width - 1) * half_width) +
                           view.up * ((height - 2 * y) / width * half_width);
     const Lens& lens = camera.lens;

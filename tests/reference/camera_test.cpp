@@ -2,6 +2,7 @@
 
 #include "reference/camera.h"
 
+#include "drt/base/constants.h"
 #include "reference/scene_builder.h"
 
 namespace drt {
@@ -37,9 +38,28 @@ TEST(ReferenceCamera, PositionsAndTargetsAreBezierCurvesAndUpRolls) {
     EXPECT_NEAR(middle.direction.y / middle.direction.z, 0.125, 1e-12);
     const auto right = reference::camera_ray(camera, 3, 2, 1, 2, 2, random);  // up = x: right is -y
     EXPECT_LT(right.direction.y, 0.25 / 4);
-    const auto past = reference::camera_ray(camera, 4, 1, 1, 2, 2, random);  // s = 3/2: the curves go on
-    EXPECT_NEAR(past.origin.x, 3, 1e-12);
-    EXPECT_NEAR(past.origin.y, 2 * 2 * 1.5 * -0.5, 1e-12);
+    const auto past = reference::camera_ray(camera, 4, 1, 1, 2, 2, random);  // stands still after its end
+    EXPECT_EQ(past.origin, (Vec3d{2, 0, 0}));
+    const auto before = reference::camera_ray(camera, 0.5, 1, 1, 2, 2, random);
+    EXPECT_EQ(before.origin, (Vec3d{0, 0, 0}));
+}
+
+TEST(ReferenceCamera, WhatGoesLinearlyInAZoom) {
+    Camera camera;  // the picture's width at distance 1 goes from 0.7 to 1.6
+    camera.fov_degrees_start = degrees(2 * std::atan(0.35));
+    camera.fov_degrees_end = degrees(2 * std::atan(0.8));
+    camera.video_end = 8;
+    const auto angle_at = [&](double time) {
+        reference::Random random(1, 0, 0, 0);
+        const Vec3d d = reference::camera_ray(camera, time, 2, 1, 2, 2, random).direction;
+        return degrees(2 * std::atan(d.x / -d.z));
+    };
+    EXPECT_NEAR(angle_at(3), camera.fov_degrees_start * 5 / 8 + *camera.fov_degrees_end * 3 / 8, 1e-12);
+    camera.zoom = Camera::Zoom::image_width;
+    EXPECT_NEAR(angle_at(3), degrees(2 * std::atan(1.0375 / 2)), 1e-12);
+    camera.zoom = Camera::Zoom::focal_length;
+    EXPECT_NEAR(angle_at(3), degrees(2 * std::atan(0.5 / (5 / 8.0 / 0.7 + 3 / 8.0 / 1.6))), 1e-12);
+    for (const double past : {8.0, 9.0}) EXPECT_NEAR(angle_at(past), *camera.fov_degrees_end, 1e-12);
 }
 
 TEST(ReferenceCamera, MotionTurnsTheWholeView) {
@@ -62,6 +82,9 @@ TEST(ReferenceCamera, TheIntervalThatHoldsTheFrameChoosesTheCamera) {
     scene.cameras[1].video_start = 2;
     scene.cameras[1].video_end = 4;
     EXPECT_EQ(&reference::camera_at(scene, 1.99), &scene.cameras[0]);
+    EXPECT_EQ(&reference::camera_at(scene, 2), &scene.cameras[1]);
+    EXPECT_THROW(reference::camera_at(scene, 4), std::invalid_argument);
+    scene.cameras[0].video_end_inclusive = scene.cameras[1].video_end_inclusive = true;
     EXPECT_EQ(&reference::camera_at(scene, 2), &scene.cameras[1]);
     EXPECT_EQ(&reference::camera_at(scene, 4), &scene.cameras[1]);
     EXPECT_THROW(reference::camera_at(scene, 4.01), std::invalid_argument);

@@ -26,7 +26,7 @@ AxisAngle short_turn(const Quatd& from, const Quatd& to) {
 }
 
 Quatd orientation_at_key(const std::vector<MotionKey>& keys, size_t i) {
-    if (!keys[i].turn) return normalize(keys[i].orientation);
+    if (!keys[i].turn) return normalize(keys[i].orientation.value_or(Quatd{}));
     const AxisAngle turn = axis_angle(*keys[i].turn);
     return quat_from_axis_angle(turn.axis, turn.angle) * (i == 0 ? Quatd{} : orientation_at_key(keys, i - 1));
 }

@@ -291,12 +291,12 @@ const std::vector<Case> motion_cases{
      [](SceneDesc& s) {
          s.bodies[0].motion = two_keys();
          s.bodies[0].motion->keys[1].turn.emplace();
-         s.bodies[0].motion->keys[1].orientation = {0, 1, 0, 0};
+         s.bodies[0].motion->keys[1].orientation = Quatd{};  // even the implicit one
      },
-     {"bodies[0].motion.keys[1].orientation: warning: orientation has no effect beside turn"}},
+     {"bodies[0].motion.keys[1].turn: error: turn beside orientation; expected one of the two"}},
     {"orientation_zero",
      [](SceneDesc& s) {
-         s.bodies[0].motion = two_keys(), s.bodies[0].motion->keys[1].orientation = {0, 0, 0, 0};
+         s.bodies[0].motion = two_keys(), s.bodies[0].motion->keys[1].orientation = Quatd{0, 0, 0, 0};
      },
      {"bodies[0].motion.keys[1].orientation: error: orientation has no length \"[0, 0, 0, 0]\"; expected a quaternion "
       "that is not zero"}},
@@ -411,11 +411,42 @@ const std::vector<Case> camera_cases{
      [](SceneDesc& s) {
          Camera& c = s.cameras[0];
          c.up_end = Vec3d{0, 1, 1}, c.fov_degrees_end = 50, c.lens.focus_end = 3, c.time_end = 3;
+         c.video_end_inclusive = true;
      },
      {"cameras[0].up.end: warning: has no effect without a video_end",
       "cameras[0].fov_degrees.end: warning: has no effect without a video_end",
       "cameras[0].lens.focus_distance.end: warning: has no effect without a video_end",
-      "cameras[0].time_end: warning: has no effect without a video_end"}},
+      "cameras[0].time_end: warning: has no effect without a video_end",
+      "cameras[0].video_end_inclusive: warning: has no effect without a video_end"}},
+    {"zoom_without_end",
+     [](SceneDesc& s) { s.cameras[0].zoom = Camera::Zoom::focal_length; },
+     {"cameras[0].zoom: warning: has no effect without an end of fov_degrees"}},
+    {"zoom",
+     [](SceneDesc& s) {
+         s.cameras[0].zoom = Camera::Zoom::image_width, s.cameras[0].fov_degrees_end = 30, s.cameras[0].video_end = 1;
+     },
+     {}},
+    {"opposite_ups",
+     [](SceneDesc& s) {
+         s.cameras[0].up_end = Vec3d{0, -3, 0}, s.cameras[0].video_end = 1;
+     },
+     {"cameras[0].up.end: warning: up is the opposite of its start: the picture turns over at once \"[0, -3, 0]\"; "
+      "expected a direction that says which way round it turns"}},
+    {"up_parallel_at_the_end_of_a_motion",
+     [](SceneDesc& s) {
+         s.cameras[0].up_end = Vec3d{0, 0, 2}, s.cameras[0].video_end = 1, s.cameras[0].motion = two_keys();
+     },
+     {"cameras[0].up.end: error: up is parallel to the view at the end \"[0, 0, 2]\"; expected a direction away from "
+      "the view [0, 0, -5], for example [0, 1, 0]"}},
+    {"no_frame",
+     [](SceneDesc& s) { s.cameras[0].video_start = 0.01, s.cameras[0].video_end = 0.04; },
+     {"cameras[0].video_end: warning: no frame lies in the camera's video \"0.04\"; expected a longer one: at fps 25 "
+      "frames are 0.04 s apart"}},
+    {"a_frame_at_an_inclusive_end",
+     [](SceneDesc& s) {
+         s.cameras[0].video_start = 0.01, s.cameras[0].video_end = 0.04, s.cameras[0].video_end_inclusive = true;
+     },
+     {}},
     {"backward_video",
      [](SceneDesc& s) { s.cameras[0].video_start = 2, s.cameras[0].video_end = 2; },
      {"cameras[0].video_end: error: the camera's video ends before it starts \"2\"; expected more than video_start "
@@ -453,6 +484,15 @@ const std::vector<Case> camera_cases{
          s.cameras.push_back(s.cameras[0]);
          s.cameras[0].video_end = 3;
          s.cameras[1].name = "other", s.cameras[1].video_start = 3;
+         s.cameras[0].video_end_inclusive = true;
+     },
+     {}},
+    {"touching_but_for_rounding",
+     [](SceneDesc& s) {
+         s.render.fps = 10;
+         s.cameras.push_back(s.cameras[0]);
+         s.cameras[0].video_end = 0.1 + 0.2;
+         s.cameras[1].name = "other", s.cameras[1].video_start = 0.3;
      },
      {}},
 };

@@ -48,7 +48,7 @@ inline Light light(const std::string& name, const LightShape& shape, const Color
     return l;
 }
 
-inline MotionKey key(double time, const Vec3d& position, const Quatd& orientation = {}) {
+inline MotionKey key(double time, const Vec3d& position, const std::optional<Quatd>& orientation = {}) {
     return {time, position, orientation, {}};
 }
 

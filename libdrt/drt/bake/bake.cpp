@@ -105,7 +105,9 @@ private:
         for (MotionKey& k : m.keys) {
             // A body that has not moved is where the scene says, to the last bit.
             k.position = k.position == body.start.position ? described_center(i) : model_.units.to_scene(k.position);
-            k.orientation = k.orientation * conjugate(model_.frames[i]);
+            if (!k.orientation) continue;
+            k.orientation = *k.orientation * conjugate(model_.frames[i]);
+            if (*k.orientation == Quatd{}) k.orientation.reset();  // as described
         }
         return m;
     }

@@ -7,6 +7,7 @@
 
 #include "drt/base/version.h"
 #include "drt/formats/formats.h"
+#include "drt/scene/camera_time.h"
 #include "drt/scene/scene_fields.h"
 
 namespace drt {
@@ -14,7 +15,7 @@ namespace drt {
 namespace {
 
 // Raise it whenever the same scene may get another motion.
-constexpr int method_version = 2;
+constexpr int method_version = 3;
 
 // What only the eye sees of a shape.
 void forget_looks(Shape& shape) {
@@ -29,6 +30,7 @@ Camera eye_of(const Camera& c) {
     eye.targets = {c.positions.front() + Vec3d{0, 0, -1}};  // anywhere that makes a view
     eye.fov_degrees_start = c.fov_degrees_start;
     eye.fov_degrees_end = c.fov_degrees_end;
+    eye.zoom = c.zoom;
     eye.video_start = c.video_start;
     eye.video_end = c.video_end;
     eye.time_start = c.time_start;
@@ -57,11 +59,11 @@ double latest_shown(const SceneDesc& scene) {
     double latest = scene.simulation.start;
     for (const Camera& c : scene.cameras) {
         if (!c.video_end) continue;
-        const double time_start = c.time_start.value_or(c.video_start), length = *c.video_end - c.video_start;
-        const double pace = length > 0 && c.time_end ? (*c.time_end - time_start) / length : 1;
-        // The exposure of the last frame runs on past the video's end.
-        const double close = length + c.shutter.duration.value_or(1 / scene.render.fps);
-        latest = std::max({latest, time_start, time_start + pace * close});
+        const double fps = scene.render.fps;
+        const FrameRange frames = recorded_frames(c, fps);
+        if (frames.empty()) continue;
+        const double close = (frames.end - 1) / fps + exposure_duration(c, fps);  // may be past the video's end
+        latest = std::max({latest, scene_time(c, frames.first / fps), scene_time(c, close)});
     }
     return latest;
 }

@@ -84,13 +84,20 @@ void walk(Bytes& b, Quatd& q) {
     b.number(q.w), b.number(q.x), b.number(q.y), b.number(q.z);
 }
 template <class Bytes>
+void walk(Bytes& b, Turn& t) {
+    walk(b, t.axis), walk(b, t.degrees);
+}
+template <class Bytes, class Value>
+void walk(Bytes& b, std::optional<Value>& v) {
+    bool is_set = v.has_value();
+    walk(b, is_set);
+    if (!is_set) return;
+    if (!v) v.emplace();
+    walk(b, *v);
+}
+template <class Bytes>
 void walk(Bytes& b, MotionKey& k) {
-    walk(b, k.time), walk(b, k.position), walk(b, k.orientation);
-    bool turns = k.turn.has_value();
-    walk(b, turns);
-    if (!turns) return;
-    if (!k.turn) k.turn.emplace();
-    walk(b, k.turn->axis), walk(b, k.turn->degrees);
+    walk(b, k.time), walk(b, k.position), walk(b, k.orientation), walk(b, k.turn);
 }
 template <class Bytes>
 void walk(Bytes& b, BakeNote& n) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "drt/plan/prepare.h"
+#include "drt/scene/camera_time.h"
 
 namespace drt {
 
@@ -14,9 +15,8 @@ constexpr int views_of_a_camera = 128;
 EyeView view_of(const BakeInput& in, const Camera& c, double share) {
     Exposure e;
     if (c.video_end) {
-        const double start = c.time_start.value_or(c.video_start), length = *c.video_end - c.video_start;
         e.s0 = e.s1 = share;
-        e.time0 = e.time1 = start + share * (c.time_end.value_or(start + length) - start);
+        e.time0 = e.time1 = scene_time(c, c.video_start + share * (*c.video_end - c.video_start));
     } else {
         e.time0 = e.time1 = in.begin + share * (in.end - in.begin);
     }

@@ -5,6 +5,7 @@
 
 #include "drt/base/constants.h"
 #include "drt/base/math.h"
+#include "drt/camera/curve.h"
 #include "drt/geometry/motion_path.h"
 #include "drt/sampling/warps.h"
 
@@ -23,26 +24,22 @@ struct LensModel {
     bool focus_sphere = false;  ///< focus distance along the ray (legacy) instead of to a plane
 };
 
-/// A value that goes linearly over ray time u.
-template <class V>
-struct Linear {
-    V start{}, end{};
-    bool constant() const { return start == end; }
-};
-
 template <class Real>
 struct CameraModel {
     FilmPlane film;
     LensModel lens;
-    // Bezier control points over the camera's whole video interval; the exposure covers the parameters s0..s1 of it.
-    std::vector<Vec3<Real>> eyes, targets;
-    double s0 = 0, s1 = 0;
-    std::vector<MotionPiece<Real>> path;  ///< if not empty: eye and turn of the view instead of the Bezier curves
-    Linear<Vec3d> up;
-    Linear<double> fov;      ///< radians, over the image's width
-    Linear<double> focus;    ///< distance; 0 = from eye to target
-    float switch_ratio = 0;  ///< of the shutter: share of the exposure spent opening and closing
-    bool moving = false;     ///< anything above changes during the exposure
+    // Curves go over ray time u in [begin, begin + 1 / inv_length], the part of the exposure that lies within the
+    // camera's video; before and after it they stand still.
+    double begin = 0, inv_length = 1;
+    Curve<Vec3<Real>> eye{{}};
+    Curve<Vec3<Real>> view{{0, 0, -1}};   ///< from the eye to the target
+    Curve<Vec3<Real>> up{{0, 1, 0}};      ///< of any length
+    Curve<Real> pixel_width{1};           ///< width of a pixel on an image plane ...
+    Curve<Real> image_distance{1};        ///< ... at this distance
+    Curve<Real> focus{0};                 ///< distance; 0 = from eye to target
+    std::vector<MotionPiece<Real>> path;  ///< if not empty: the eye instead of the curve, and turns of view and up
+    float switch_ratio = 0;               ///< of the shutter: share of the exposure spent opening and closing
+    bool moving = false;                  ///< anything above changes during the exposure
 };
 
 /// Eye and scaled axes: everything of the camera that a ray needs at one time.
@@ -87,9 +84,20 @@ View<To> cast(const View<From>& v) {
 
 template <class To, class From>
 CameraModel<To> cast(const CameraModel<From>& c) {
-    CameraModel<To> out{c.film, c.lens, {}, {}, c.s0, c.s1, {}, c.up, c.fov, c.focus, c.switch_ratio, c.moving};
-    for (const auto& p : c.eyes) out.eyes.emplace_back(p);
-    for (const auto& p : c.targets) out.targets.emplace_back(p);
+    using V = Vec3<To>;
+    CameraModel<To> out{c.film,
+                        c.lens,
+                        c.begin,
+                        c.inv_length,
+                        cast<V>(c.eye),
+                        cast<V>(c.view),
+                        cast<V>(c.up),
+                        cast<To>(c.pixel_width),
+                        cast<To>(c.image_distance),
+                        cast<To>(c.focus),
+                        {},
+                        c.switch_ratio,
+                        c.moving};
     for (const auto& p : c.path) out.path.push_back(cast<To>(p));
     return out;
 }

@@ -1,50 +1,43 @@
 #pragma once
 // The view at a time, for scalars and lanes alike (included by camera_model.h).
 
+#include <limits>
+
+#include "drt/base/frame.h"
 #include "drt/camera/camera_model.h"
 
 namespace drt {
 
-/// A Bezier curve in Bernstein form, by Horner's scheme with running binomials (Farin, "Curves and Surfaces for CAGD"):
-/// no buffer, so any number of points.
+/// `up` shows where up is in a picture whose view goes along `forward` (a unit vector): it is not nearly parallel to
+/// it, nor zero.
 template <class T>
-Vec3<T> bezier(const std::vector<Vec3<ScalarOf<T>>>& points, const T& s) {
-    using Real = ScalarOf<T>;
-    const size_t degree = points.size() - 1;
-    if (degree == 0) return Vec3<T>(points[0]);
-    const T r = T(1) - s;
-    T term(1);  // binomial(degree, i) s^i
-    Vec3<T> sum = Vec3<T>(points[0]) * r;
-    for (size_t i = 1; i < degree; ++i) {
-        term = term * s * T(Real(degree - i + 1) / Real(i));
-        sum = (sum + Vec3<T>(points[i]) * term) * r;
-    }
-    return sum + Vec3<T>(points[degree]) * (term * s * T(1 / Real(degree)));
+[[gnu::always_inline]] inline MaskOf<T> shows_up(const Vec3<T>& forward, const Vec3<T>& up) {
+    constexpr auto rounding = 16 * std::numeric_limits<ScalarOf<T>>::epsilon();
+    return length_squared(cross(forward, up)) > length_squared(up) * T(rounding * rounding);
 }
 
 template <class T>
 View<T> view_at(const CameraModel<ScalarOf<T>>& c, const T& u) {
     using Real = ScalarOf<T>;
-    const T s = T(Real(c.s0)) + u * T(Real(c.s1 - c.s0));
-    const auto lerp = [&](double a, double b) { return T(Real(a)) + u * T(Real(b - a)); };
+    const T x = clamp((u - T(Real(c.begin))) * T(Real(2 * c.inv_length)) - T(1), T(-1), T(1));
     View<T> v;
-    v.eye = bezier(c.eyes, s);
-    Vec3<T> towards = bezier(c.targets, s) - v.eye;
-    Vec3<T> up{lerp(c.up.start.x, c.up.end.x), lerp(c.up.start.y, c.up.end.y), lerp(c.up.start.z, c.up.end.z)};
-    const T target_distance = length(towards);
+    v.eye = value_at<Vec3<T>>(c.eye, x);
+    Vec3<T> view = value_at<Vec3<T>>(c.view, x), up = value_at<Vec3<T>>(c.up, x);
+    const T target_distance = length(view);
     if (!c.path.empty()) {
         const Pose<T> pose = pose_at(std::span<const MotionPiece<Real>>(c.path), u);
         v.eye = pose.center;
-        towards = rotate(pose.orientation, towards);
+        view = rotate(pose.orientation, view);
         up = rotate(pose.orientation, up);
     }
-    v.forward = towards / target_distance;
-    v.right = normalize(cross(v.forward, up));
+    // An eye that passes through its target, or right above it, has no direction or no up for an instant: any will do.
+    v.forward = select(target_distance > T(0), view / target_distance, Vec3<T>(T(0), T(0), T(-1)));
+    v.right = select(shows_up(v.forward, up), normalize(cross(v.forward, up)), frame_around(v.forward).x);
     v.up = cross(v.right, v.forward);
-    // tan(fov / 2) by sincos: the half angle in turns is fov / (4 pi)
-    const auto [sine, cosine] = sincos_2pi(lerp(c.fov.start / (4 * pi<double>), c.fov.end / (4 * pi<double>)));
-    v.pixel_size = sine / cosine * T(Real(2) / Real(c.film.width));
-    const T focus = lerp(c.focus.start, c.focus.end);
+    // Rounding must not turn the picture over where the angle of view comes near to 0 or 180 degrees.
+    constexpr Real least = std::numeric_limits<Real>::epsilon();
+    v.pixel_size = max(value_at<T>(c.pixel_width, x), T(0)) / max(value_at<T>(c.image_distance, x), T(least));
+    const T focus = value_at<T>(c.focus, x);
     v.focus = select(focus > T(0), focus, target_distance);
     return v;
 }

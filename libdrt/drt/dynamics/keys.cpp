@@ -102,18 +102,20 @@ std::vector<MotionKey> keys_of(const RigidBody& body, const Track& track, double
             }
             const double next = longest >= limit - t ? limit : t + longest;
             const RigidState s = state_at(body, track, next);
-            MotionKey key{next, s.position, s.orientation, {}};
+            MotionKey key{next, s.position, {}, {}};
             // What happens at the key itself is not part of the way there.
             const Vec3d turn = turn_between(last, state_at(body, track, std::nextafter(next, t)), next - t);
             if (const double angle = length(turn); angle > largest_short_turn)
                 key.turn = Turn{turn / angle, degrees(angle)};
+            else
+                key.orientation = s.orientation;
             keys.push_back(key);
             last = s;
             t = next;
         }
     const bool still = std::all_of(keys.begin(), keys.end(), [&](const MotionKey& k) {
         return length(k.position - keys[0].position) <= tolerance.position && !k.turn &&
-               length(rotation_vector(k.orientation * conjugate(keys[0].orientation))) <= tolerance.angle;
+               length(rotation_vector(*k.orientation * conjugate(*keys[0].orientation))) <= tolerance.angle;
     });
     if (still) keys.resize(1);
     return keys;

@@ -61,6 +61,11 @@ std::optional<double> fov_degrees(LegacyMapping& m, const LegacyElement& e, std:
     return {};
 }
 
+/// The file's FOV itself goes linearly from start to end, not the angle that follows from it.
+Camera::Zoom zoom_of(const LegacyOptions& options) {
+    return options.fov == LegacyOptions::Fov::half_width ? Camera::Zoom::image_width : Camera::Zoom::focal_length;
+}
+
 /// Legacy cameras and their implicit times. drt has one implicit length, "for ever"; the others are written out.
 void map_times(LegacyMapping& m, const LegacyElement& e, const LegacyElement* next, Camera& c) {
     c.time_start = optional_real(e, "time_start");
@@ -89,7 +94,9 @@ void map_camera(LegacyMapping& m, const LegacyElement& settings, size_t index, c
     if (!e.implicit("sky_end")) c.up_end = e.vector("sky_end");
     c.fov_degrees_start = fov_degrees(m, e, "FOV_start").value_or(c.fov_degrees_start);
     c.fov_degrees_end = fov_degrees(m, e, "FOV_end");
+    if (c.fov_degrees_end && *c.fov_degrees_end != c.fov_degrees_start) c.zoom = zoom_of(m.options);
     map_times(m, e, next, c);
+    c.video_end_inclusive = c.video_end.has_value();
     c.lens = {m.effects.lens ? settings.real("dof_c") : 0, optional_real(e, "DOF_start"), optional_real(e, "DOF_end"),
               Lens::Distribution::radial, Lens::FocusSurface::sphere};
     c.shutter.switch_ratio = settings.real("blur_switch_ratio");

@@ -44,7 +44,7 @@ Quatd set_orientations(KeySpan& s, const Quatd& from, const MotionKey& to) {
         s.angle = radians(to.turn->degrees);
         return quat_from_axis_angle(s.axis, s.angle) * from;
     }
-    const Quatd target = normalize(to.orientation);
+    const Quatd target = orientation_of(to);
     Quatd delta = target * conjugate(from);
     if (delta.w < 0) delta = -delta;  // the short way
     const Vec3d v{delta.x, delta.y, delta.z};
@@ -67,8 +67,7 @@ std::vector<KeySpan> key_spans(const Motion& m) {
         return s;
     };
     const MotionKey& first = m.keys.front();
-    Quatd q = first.turn ? quat_from_axis_angle(normalize(first.turn->axis), radians(first.turn->degrees))
-                         : normalize(first.orientation);
+    Quatd q = orientation_of(first);
     std::vector<KeySpan> spans{constant(first, q, -inf, first.time)};
     for (size_t i = 0; i + 1 < m.keys.size(); ++i) {
         KeySpan s;

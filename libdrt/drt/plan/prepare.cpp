@@ -92,8 +92,7 @@ void recenter(PreparedScene& p) {
     for (auto& l : p.lights.points) move(l.position);
     for (auto& l : p.lights.rects) move(l.corner);
     for (auto& l : p.lights.spheres) move(l.center);
-    for (Vec3d& v : p.camera.eyes) move(v);
-    for (Vec3d& v : p.camera.targets) move(v);
+    move(p.camera.eye[0]);
     for (MotionPiece<double>& piece : p.camera.path) move(piece.c0);
 }
 
@@ -170,7 +169,7 @@ std::string needs_double(const PreparedScene& p) {
                 return fmt::format("a sphere of radius {:.3g} seen from {:.3g}", sphere->radius, gap);
         }
     }
-    const double pixel = view_at(p.camera, 0.0).pixel_size;
+    const double pixel = std::min(view_at(p.camera, 0.0).pixel_size, view_at(p.camera, 1.0).pixel_size);
     if (pixel < smallest_pixel) return fmt::format("pixels of {:.3g} radians", pixel);
     return {};
 }

@@ -21,7 +21,7 @@ struct PreparedScene {
 
 PreparedScene prepare(const SceneDesc&, const PlanOptions&);
 
-/// The part of prepare() that knows lenses and Bezier curves.
+/// The part of prepare() that knows what a camera does over its video.
 CameraModel<double> build_camera(const RenderSettings&, const Camera&, const Exposure&);
 
 /// Float is enough while the hit point's error stays small against the shape it lies on and against a pixel. Returns

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "drt/scene/camera_time.h"
 #include "drt/scene/check_fields.h"
 
 namespace drt {
@@ -37,14 +38,25 @@ void check_views(Report& report, const ScenePath& at, const Camera& camera, cons
     const View start{"",      camera.positions.front(), camera.targets.front(), camera.up_start,
                      "start", fine(eyes[0], targets[0])};
     check_view(report, at, start, fine);
+    const std::size_t last_eye = camera.motion ? 0 : camera.positions.size() - 1;  // motion replaces the curves
+    const std::size_t last_target = camera.motion ? 0 : camera.targets.size() - 1;
     const View end{" at the end",
-                   camera.positions.back(),
-                   camera.targets.back(),
+                   camera.positions[last_eye],
+                   camera.targets[last_target],
                    camera.up_end.value_or(camera.up_start),
                    camera.up_end ? "end" : "start",
-                   fine(eyes[camera.positions.size() - 1], targets[camera.targets.size() - 1])};
+                   fine(eyes[last_eye], targets[last_target])};
     const bool changes = !(end.eye == start.eye && end.target == start.target && end.up == start.up);
-    if (changes && camera.video_end && !camera.motion) check_view(report, at, end, fine);
+    if (changes && camera.video_end) check_view(report, at, end, fine);
+}
+
+// Half-way between opposite vectors there is none.
+void check_roll(Report& report, const ScenePath& at, const Camera& camera, const FineFields& fine) {
+    const ScenePath ups = at / "up", end = ups / "end";
+    if (camera.up_end && fine(ups / "start", end) && nearly_parallel(camera.up_start, *camera.up_end) &&
+        dot(camera.up_start, *camera.up_end) < 0)
+        report.warning(end, report.name(end, "up") + " is the opposite of its start: the picture turns over at once",
+                       to_text(*camera.up_end), "a direction that says which way round it turns");
 }
 
 // ---- time ----------------------------------------------------------------------------------------------------------
@@ -63,35 +75,41 @@ void check_endless(Report& report, const ScenePath& at, const Camera& camera, co
     warn(at / "fov_degrees" / "end", camera.fov_degrees_end.has_value());
     warn(at / "lens" / "focus_distance" / "end", camera.lens.focus_end.has_value());
     warn(at / "time_end", camera.time_end.has_value());
+    warn(at / "video_end_inclusive", camera.video_end_inclusive);
 }
 
 bool interval_is_fine(const ScenePath& at, const FineFields& fine) {
     return fine(at / "video_start", at / "video_end");
 }
 
-void check_interval(Report& report, const ScenePath& at, const Camera& camera, const FineFields& fine) {
+void check_interval(Report& report, const ScenePath& at, const Camera& camera, const FineFields& fine,
+                    std::optional<double> fps) {
     if (!interval_is_fine(at, fine)) return;
     if (!camera.video_end)
         check_endless(report, at, camera, fine);
     else if (!(*camera.video_end > camera.video_start))
         report.error(at / "video_end", "the camera's video ends before it starts", to_text(*camera.video_end),
                      "more than video_start " + to_text(camera.video_start));
+    else if (fps && recorded_frames(camera, *fps).empty())
+        report.warning(at / "video_end", "no frame lies in the camera's video", to_text(*camera.video_end),
+                       "a longer one: at fps " + to_text(*fps) + " frames are " + to_text(1 / *fps) + " s apart");
 }
 
 std::string camera_text(const SceneDesc& scene, std::size_t i) {
     return scene.cameras[i].name.empty() ? "camera " + std::to_string(i + 1) : '\'' + scene.cameras[i].name + '\'';
 }
 
-// Sweeps over the cameras by start time and compares each with the one that has recorded longest so far.
-void check_overlaps(Report& report, const ScenePath& list, const SceneDesc& scene) {
-    const auto start = [&](std::size_t i) { return scene.cameras[i].video_start; };
-    const auto end = [&](std::size_t i) { return scene.cameras[i].video_end.value_or(2 * largest_number); };
+// Sweeps over the cameras by first frame and compares each with the one that has recorded longest so far.
+void check_overlaps(Report& report, const ScenePath& list, const SceneDesc& scene, double fps) {
+    const auto frames = [&](std::size_t i) { return recorded_frames(scene.cameras[i], fps, false); };
+    const auto start = [&](std::size_t i) { return frames(i).first; };
+    const auto end = [&](std::size_t i) { return frames(i).end; };
     std::vector<std::size_t> order(scene.cameras.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return start(a) < start(b); });
     for (std::size_t i = 1, longest = order.empty() ? 0 : order[0]; i < order.size(); ++i) {
         const std::size_t here = order[i];
-        if (start(here) < end(longest)) {
+        if (start(here) < end(longest) && !frames(here).empty()) {
             const std::size_t winner = std::min(here, longest), other = std::max(here, longest);
             report.warning(list[other] / "video_start", camera_text(scene, other) + " and " +
                                                             camera_text(scene, winner) + " record at the same time; " +
@@ -106,6 +124,9 @@ void check_overlaps(Report& report, const ScenePath& list, const SceneDesc& scen
 void check_cameras(Report& report, const SceneDesc& scene) {
     const ScenePath root, list = root / "cameras";
     check_unique_names(report, list, scene.cameras);
+    std::optional<double> fps;  // none that could be read: nothing is said of frames
+    if (scene.render.fps > 0 && std::isfinite(scene.render.fps) && !scene.sources.is_unread("render.fps"))
+        fps = scene.render.fps;
     bool intervals_are_fine = true;
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
         const Camera& camera = scene.cameras[i];
@@ -113,7 +134,10 @@ void check_cameras(Report& report, const SceneDesc& scene) {
         const FineFields fine = check_fields(report, at, camera);
         if (camera.motion) check_motion(report, at / "motion", *camera.motion, fine);
         check_views(report, at, camera, fine);
-        check_interval(report, at, camera, fine);
+        check_roll(report, at, camera, fine);
+        if (camera.zoom != Camera::Zoom::angle && !camera.fov_degrees_end)
+            report.warning(at / "zoom", "has no effect without an end of fov_degrees");
+        check_interval(report, at, camera, fine, fps);
         intervals_are_fine = intervals_are_fine && interval_is_fine(at, fine);
         if (camera.motion && camera.positions.size() > 1)
             report.warning(at / "positions", "motion replaces the positions after the first");
@@ -121,7 +145,7 @@ void check_cameras(Report& report, const SceneDesc& scene) {
             report.warning(at / "targets", "motion replaces the targets after the first");
     }
     if (scene.cameras.empty()) report.error(list, "the scene has no camera", {}, "at least one");
-    if (intervals_are_fine) check_overlaps(report, list, scene);
+    if (intervals_are_fine && fps) check_overlaps(report, list, scene, *fps);
 }
 
 }  // namespace drt

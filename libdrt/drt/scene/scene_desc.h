@@ -31,15 +31,19 @@ struct Turn {
 };
 
 struct MotionKey {
-    double time = 0;    ///< scene time
-    Vec3d position;     ///< where the body's centre (the camera's eye) is
-    Quatd orientation;  ///< turn from the described pose, about the centre; absolute, normalised on use.
-                        ///< Ignored where `turn` is set.
-    /// Set: the orientation of this key is the previous key's followed by this turn, and the body turns uniformly
-    /// about this axis in between, however far. Unset: slerp from the previous key, the short way.
+    double time = 0;  ///< scene time
+    Vec3d position;   ///< where the body's centre (the camera's eye) is
+    /// Turn from the described pose, about the centre; absolute, of any length. Slerp from the previous key, the short
+    /// way. Implicit, without a turn: none.
+    std::optional<Quatd> orientation;
+    /// In place of an orientation: that of this key is the previous key's followed by this turn, and the body turns
+    /// uniformly about this axis in between, however far.
     std::optional<Turn> turn;
     friend bool operator==(const MotionKey&, const MotionKey&) = default;
 };
+
+/// Of a key without a turn; a unit quaternion.
+inline Quatd orientation_of(const MotionKey& k) { return normalize(k.orientation.value_or(Quatd{})); }
 
 /// Keys in ascending time, at least one. Before the first and after the last key the pose is constant.
 struct Motion {
@@ -258,8 +262,11 @@ struct Lens {
 };
 
 /// Start and end values go linearly over the camera's video interval; positions and targets are the control polygons
-/// of one Bezier curve each over the same interval.
+/// of one Bezier curve each over the same interval. Before and after it all of these stand still.
 struct Camera {
+    /// What goes linearly between two angles of view: the angle itself, the image's width 2 tan(angle / 2) at distance
+    /// 1, or the distance 1 / (2 tan(angle / 2)) of an image of width 1.
+    enum class Zoom { angle, image_width, focal_length };
     std::string name;
     std::vector<Vec3d> positions{Vec3d{0, 0, 5}};  ///< at least one
     std::vector<Vec3d> targets{Vec3d{0, 0, 0}};    ///< at least one
@@ -267,11 +274,13 @@ struct Camera {
     std::optional<Vec3d> up_end;            ///< implicit: as the start
     double fov_degrees_start = 45;          ///< spans the image's width
     std::optional<double> fov_degrees_end;  ///< implicit: as the start
+    Zoom zoom = Zoom::angle;
     Lens lens;
     Shutter shutter;
-    double video_start = 0;
+    double video_start = 0;            ///< records video_start <= video time < video_end
     std::optional<double> video_end;   ///< implicit: for ever (then everything that goes from start to end stays at
                                        ///< its start, and lists of positions and targets must have one entry)
+    bool video_end_inclusive = false;  ///< the frame at video_end, too, unless another camera records it (legacy)
     std::optional<double> time_start;  ///< scene time shown at video_start; implicit: video_start
     std::optional<double> time_end;    ///< scene time shown at video_end; implicit: time_start + the video's length
     std::optional<Motion> motion;      ///< over scene time: eye position and turn of the view; replaces `positions`,

@@ -39,6 +39,10 @@ struct EnumNames<Lens::FocusSurface> {
     static constexpr std::array<std::string_view, 2> names{"plane", "sphere"};
 };
 template <>
+struct EnumNames<Camera::Zoom> {
+    static constexpr std::array<std::string_view, 3> names{"angle", "image_width", "focal_length"};
+};
+template <>
 struct EnumNames<Filter::Kind> {
     static constexpr std::array<std::string_view, 6> names{"point",           "box",     "triangle", "gaussian",
                                                            "blackman_harris", "mitchell"};
@@ -64,8 +68,9 @@ struct Fields<MotionKey> {
         required(field("time", &MotionKey::time, "s", ranges::any, "scene time; ascending from key to key")),
         required_in_first(field("position", &MotionKey::position, "length", ranges::any,
                                 "where the body's centre (the camera's eye) is")),
-        field("orientation", &MotionKey::orientation, "", ranges::any,
-              "turn from the described pose about the centre; absolute; between keys the short way"),
+        implicit("`[1, 0, 0, 0]`",
+                 field("orientation", &MotionKey::orientation, "", ranges::any,
+                       "turn from the described pose about the centre; absolute; between keys the short way")),
         implicit("none", field("turn", &MotionKey::turn, "", ranges::any,
                                "in place of orientation, not in the first key: the previous key's orientation followed "
                                "by this turn, uniform in between")),
@@ -412,15 +417,21 @@ struct Fields<Camera> {
         start_end("fov_degrees", &Camera::fov_degrees_start, &Camera::fov_degrees_end, "degrees",
                   Range{.low = 0, .high = 180, .low_open = true, .high_open = true},
                   "angle of view across the picture's width"),
+        field("zoom", &Camera::zoom, "", ranges::any,
+              "what goes linearly from fov_degrees' start to its end: the angle; image_width: 2 tan(angle / 2), what "
+              "the picture's width spans at distance 1; focal_length: the inverse of that"),
         field("lens", &Camera::lens, "", ranges::any, "depth of field"),
         field("shutter", &Camera::shutter, "", ranges::any, "motion blur"),
         field("video_start", &Camera::video_start, "s of video", ranges::any, "records from here"),
-        implicit("for ever", field("video_end", &Camera::video_end, "s of video", ranges::any, "to here")),
+        implicit("for ever", field("video_end", &Camera::video_end, "s of video", ranges::any,
+                                   "to here: the frame at this very time is not recorded any more")),
+        field("video_end_inclusive", &Camera::video_end_inclusive, "", ranges::any,
+              "the frame at video_end is recorded, too, if no other camera does (as in legacy scenes)"),
         implicit("video_start",
                  field("time_start", &Camera::time_start, "s", ranges::any, "scene time shown at video_start")),
         implicit("time_start + length of the video",
                  field("time_end", &Camera::time_end, "s", ranges::any,
-                       "scene time shown at video_end: slow, fast or (before time_start) reversed motion")),
+                       "scene time at video_end: slow, fast or (before time_start) reversed motion")),
         implicit("at rest", field("motion", &Camera::motion, "", ranges::any,
                                   "path of the eye over scene time, and turn of the view from position to target; "
                                   "replaces position")),

@@ -38,11 +38,11 @@ void check_motion(Report& report, const ScenePath& at, const Motion& motion, con
         if (i > 0 && fine(keys[i] / "time", keys[i - 1] / "time") && !(key.time > motion.keys[i - 1].time))
             report.error(keys[i] / "time", "key times do not ascend", to_text(key.time),
                          "more than the previous key's " + to_text(motion.keys[i - 1].time));
-        if (key.turn && i == 0)
+        if (key.turn && key.orientation)
+            report.error(keys[i] / "turn", "turn beside orientation", {}, "one of the two");
+        else if (key.turn && i == 0)
             report.error(keys[i] / "turn", "the first key has no previous one to turn from", {},
                          "orientation in place of turn");
-        if (key.turn && key.orientation != Quatd{})
-            report.warning(keys[i] / "orientation", "orientation has no effect beside turn");
     }
 }
 
