@@ -2,7 +2,9 @@
 // Every body against every ray, one ray at a time and without a BVH: the slow version of accel's queries. It shares
 // the shapes' arithmetic, which tests/geometry checks.
 
+#include <array>
 #include <limits>
+#include <vector>
 
 #include "drt/accel/accel.h"
 #include "drt/geometry/intersect.h"
@@ -28,13 +30,13 @@ template <class Real, class Shape>
 ShapeHit<Real> meet(const BodyTable<Real>& t, int body, const Shape& s, const OneRay<Real>& r) {
     const bool on = r.start >= 0 && start::body(r.start) == body;
     const Relation<Real> rel{on, start::outward(r.start), start::part(r.start)};
-    const Real tmin =
-        8 * std::numeric_limits<Real>::epsilon() * std::max({std::abs(r.o.x), std::abs(r.o.y), std::abs(r.o.z)});
+    const Real slack =
+        4 * std::numeric_limits<Real>::epsilon() * std::max({std::abs(r.o.x), std::abs(r.o.y), std::abs(r.o.z)});
     const auto path = t.path(body);
-    if (path.empty()) return intersect(s, r.o - t.centers[size_t(body)], r.d, rel, tmin, r.tmax);
+    if (path.empty()) return intersect(s, r.o - t.centers[size_t(body)], r.d, rel, slack, r.tmax);
     const Pose<Real> pose = pose_at(path, Real(r.time));
     const Quat<Real>& q = pose.orientation;
-    ShapeHit<Real> h = intersect(s, rotate_back(q, r.o - pose.center), rotate_back(q, r.d), rel, tmin, r.tmax);
+    ShapeHit<Real> h = intersect(s, rotate_back(q, r.o - pose.center), rotate_back(q, r.d), rel, slack, r.tmax);
     h.ng = rotate(q, h.ng);
     return h;
 }
@@ -63,6 +65,33 @@ std::vector<OneHit> all_hits(const BodyTable<Real>& t, const OneRay<Real>& r) {
     return out;
 }
 
+/// How one ray's path came to its start, in the form that accel reads.
+template <class Real>
+struct OneDeparture {
+    static constexpr int width = Pack<Real>::width;
+    std::array<Real, width> dx{}, dy{}, dz{}, travelled{};
+    std::array<std::int32_t, width> came_from{}, slot{};
+    std::vector<std::int32_t> media;  ///< that the path is inside of, the owner last
+    std::int32_t media_count = 0;
+    Departures<Real> columns;
+
+    OneDeparture(const Vec3<Real>& arrival, Real distance, int from, const std::vector<std::int32_t>& inside)
+        : media(inside), media_count(int(inside.size())) {
+        dx.fill(arrival.x), dy.fill(arrival.y), dz.fill(arrival.z);
+        travelled.fill(distance);
+        came_from.fill(from);
+        columns = {dx.data(),
+                   dy.data(),
+                   dz.data(),
+                   travelled.data(),
+                   came_from.data(),
+                   slot.data(),
+                   {media.data(), &media_count, 1}};
+    }
+    OneDeparture(const OneDeparture&) = delete;
+    OneDeparture& operator=(const OneDeparture&) = delete;
+};
+
 /// One packet through the accelerator. Lanes beyond the given rays are inactive and hold rubbish.
 template <class Real>
 RayPacket<Real> packet(const std::vector<OneRay<Real>>& rays) {
@@ -86,20 +115,23 @@ RayPacket<Real> packet(const std::vector<OneRay<Real>>& rays) {
 }
 
 template <class Real>
+OneHit lane_of(const HitPacket<Real>& h, int i) {
+    OneHit one;
+    one.t = double(lane(h.t, i));
+    one.body = lane(h.body, i);
+    if (one.body != no_body) {
+        one.part = lane(h.part, i);
+        one.ng = {double(lane(h.ng.x, i)), double(lane(h.ng.y, i)), double(lane(h.ng.z, i))};
+    }
+    return one;
+}
+
+template <class Real>
 std::vector<OneHit> trace(const Accel<Real>& accel, const std::vector<OneRay<Real>>& rays, TraceCounters& counters) {
     HitPacket<Real> h;
     accel.intersect(packet(rays), h, counters);
     std::vector<OneHit> out;
-    for (int i = 0; i < int(rays.size()); ++i) {
-        OneHit one;
-        one.t = double(lane(h.t, i));
-        one.body = lane(h.body, i);
-        if (one.body != no_body) {
-            one.part = lane(h.part, i);
-            one.ng = {double(lane(h.ng.x, i)), double(lane(h.ng.y, i)), double(lane(h.ng.z, i))};
-        }
-        out.push_back(one);
-    }
+    for (int i = 0; i < int(rays.size()); ++i) out.push_back(lane_of(h, i));
     return out;
 }
 
@@ -109,10 +141,24 @@ OneHit trace(const Accel<Real>& accel, const OneRay<Real>& ray) {
     return trace(accel, std::vector{ray}, counters)[0];
 }
 
+/// `from` may be null: the ray starts freely.
 template <class Real>
-bool blocked(const Accel<Real>& accel, const OneRay<Real>& ray, int exclude = -1) {
+OneHit trace(const Accel<Real>& accel, const OneRay<Real>& ray, const OneDeparture<Real>* from) {
+    RayPacket<Real> p = packet(std::vector{ray});
+    if (from) p.from = &from->columns;
     TraceCounters counters;
-    return lane_bit(accel.occluded(packet(std::vector{ray}), typename Pack<Real>::I(exclude), counters), 0);
+    HitPacket<Real> h;
+    accel.intersect(p, h, counters);
+    return lane_of(h, 0);
+}
+
+template <class Real>
+bool blocked(const Accel<Real>& accel, const OneRay<Real>& ray, int exclude = -1,
+             const OneDeparture<Real>* from = nullptr) {
+    RayPacket<Real> p = packet(std::vector{ray});
+    if (from) p.from = &from->columns;
+    TraceCounters counters;
+    return lane_bit(accel.occluded(p, typename Pack<Real>::I(exclude), counters), 0);
 }
 
 }  // namespace drt::test

@@ -15,11 +15,14 @@ using test::Random;
 
 const BoxShape<double> unit_box{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
 
-TEST(Ties, OfCoincidentBodiesTheLowestIdIsHit) {
+BodyInput ranked(const AnyShape& shape, const Vec3d& center, int rank) { return {shape, center, {}, {rank, false}}; }
+
+TEST(Ties, OfCoincidentBodiesTheLowestRankIsHit) {
     Random r(1);
     std::vector<BodyInput> inputs;
     for (int i = 0; i < 60; ++i)
-        inputs.push_back({i % 2 ? AnyShape(SphereShape<double>{1}) : AnyShape(unit_box), {20.0 * (i % 2), 0, 0}, {}});
+        inputs.push_back(ranked(i % 2 ? AnyShape(SphereShape<double>{1}) : AnyShape(unit_box), {20.0 * (i % 2), 0, 0},
+                                (i + 17) % 60));  // the lowest: 43, a sphere, and 44, a box
     const BuiltTable<float> built = build_body_table<float>(inputs);
     const Accel<float> accel(built.table);
     for (int k = 0; k < 3000; ++k) {
@@ -27,19 +30,20 @@ TEST(Ties, OfCoincidentBodiesTheLowestIdIsHit) {
         const Vec3d center{20.0 * which, 0, 0};
         const Vec3d o = center + r.direction() * 8.0;
         const OneRay<float> ray{Vec3f(o), Vec3f(normalize(center + r.in_box(0.3) - o))};
-        EXPECT_EQ(test::trace(accel, ray).body, which == 1 ? 0 : 30);  // ids by kind: spheres first
+        EXPECT_EQ(test::trace(accel, ray).body, which == 1 ? 43 / 2 : 30 + 44 / 2);  // ids by kind: spheres first
     }
 }
 
 TEST(Ties, AHundredThousandCoincidentSpheres) {
-    const std::vector<BodyInput> inputs(100000, {SphereShape<double>{1}, {0, 0, -5}, {}});
+    std::vector<BodyInput> inputs;
+    for (int i = 0; i < 100000; ++i) inputs.push_back(ranked(SphereShape<double>{1}, {0, 0, -5}, (i + 77) % 100000));
     const BuiltTable<float> built = build_body_table<float>(inputs);
     const Accel<float> accel(built.table);
     Random r(2);
     for (int k = 0; k < 20; ++k) {
         const OneRay<float> ray{{}, Vec3f(normalize(Vec3d{r.uniform(-0.1, 0.1), r.uniform(-0.1, 0.1), -1}))};
         const OneHit hit = test::trace(accel, ray);
-        EXPECT_EQ(hit.body, 0);
+        EXPECT_EQ(hit.body, 100000 - 77);
         EXPECT_NEAR(hit.t, 4, 0.2);
     }
 }
@@ -51,7 +55,8 @@ void expect_one_owner(const Vec3d& position, const Quatd& turn) {
     const test::Axes a = test::axes_of(turn);
     const BoxShape<double> box{a.x, a.y, a.z, {1, 1, 1}}, flat_box{a.x, a.y, a.z, {0.3, 0.7, 0.7}};
     // both faces at +x of the first's centre: 1 = 0.7 + 0.3
-    const BuiltTable<Real> built = build_body_table<Real>({{box, position, {}}, {flat_box, position + a.x * 0.7, {}}});
+    const BuiltTable<Real> built =
+        build_body_table<Real>({ranked(box, position, 1), ranked(flat_box, position + a.x * 0.7, 0)});
     const Accel<Real> accel(built.table);
     Random r(3);
     int others = 0;
@@ -62,7 +67,7 @@ void expect_one_owner(const Vec3d& position, const Quatd& turn) {
         if (dot(away, a.x) < 0.2) continue;
         const Vec3<Real> o(target + away * 6.0);
         const OneRay<Real> ray{o, normalize(Vec3<Real>(target) - o)};
-        others += test::trace(accel, ray).body != 0;
+        others += test::trace(accel, ray).body != 1;
     }
     EXPECT_EQ(others, 0);
 }
@@ -94,9 +99,11 @@ TEST(Ties, ACoincidentSurfaceDoesNotShadowTheStart) {
         up.y = std::abs(up.y);
         if (up.y < 0.3 || down.d.y > -0.1f) continue;
         const Vec3f p = down.o + down.d * float(hit.t);
+        const test::OneDeparture<float> from(down.d, float(hit.t), start::none, {});
         for (const int body : {0, 1}) {
             ++rays;
-            blocked += test::blocked(accel, OneRay<float>{p, Vec3f(up), 1e30f, 0, start::pack(body, 0, 1)});
+            const OneRay<float> shadow{p, Vec3f(up), 1e30f, 0, start::pack(body, 0, 1)};
+            blocked += test::blocked(accel, shadow, -1, &from);
         }
     }
     EXPECT_GT(rays, 4000);

@@ -80,11 +80,34 @@ TEST(Depth, ShellsOfAirAreInvisible) {
     }
 }
 
-// More bodies within each other than the stack holds are counted, not run over.
+// More bodies within each other than a path can remember: said before rendering, with the place, where that is known
+// ...
+TEST(Depth, TooManyMediaAreAnError) {
+    EXPECT_NO_THROW(compile(with_shells(behind_glass(), 64), {}));
+    try {
+        compile(with_shells(behind_glass(), 65), {});
+        FAIL() << "compiled";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), ErrorKind::scene);
+        EXPECT_NE(std::string(e.what()).find("64"), std::string::npos) << e.what();
+    }
+}
+
+// ... and counted, not run over, where only rays find it: bars that overlap, but not in anyone's middle.
 TEST(Depth, TooManyMediaAreReported) {
+    SceneDesc scene = behind_glass();
+    Material air = glow("", Color(0.0f));
+    air.refraction = 1;
+    air.refraction_index = 1;
+    for (int i = 0; i < 80; ++i) {
+        const double angle = 2 * pi<double> * i / 80;
+        Box bar{Vec3d{std::cos(angle), std::sin(angle), 0} * 1.4, {3, 0.4, 0.4}, {}};
+        bar.orientation = quat_from_axis_angle(Vec3d{0, 0, 1}, angle);
+        add(scene, "bar" + std::to_string(i), bar, air);
+    }
     RenderOptions options;
     options.spp = 1;
-    const RenderResult result = render_scene(with_shells(behind_glass(), 80), {}, options);
+    const RenderResult result = render_scene(scene, {}, options);
     EXPECT_GT(result.counters.media_overflows, 0u);
     EXPECT_EQ(result.counters.film.nonfinite, 0u);
 }

@@ -16,59 +16,83 @@ namespace {
 
 using Batch = RayBatch<float>;
 
-// Refraction indices of bodies 0, 1, 2, ...
-float index_of(int body) { return 1.1f + 0.1f * float(body); }
+// Bodies 0 and 1 are solids of falling rank (1 outranks 0), 2 is flat, 3 a solid that outranks all.
+const std::vector<ContactRole> roles{{2, true, true}, {1, true, true}, {3, true, false}, {0, true, true}};
 
-TEST(MediaStack, KeepsTheOrderOfEntering) {
+TEST(MediaStack, KeepsTheOwnerOnTop) {
     const auto batch = std::make_unique<Batch>(4);
     MediaStack<float> stack(*batch, 7);
     EXPECT_EQ(stack.size(), 0);
     EXPECT_EQ(stack.find(3), -1);
-    for (const int body : {3, 5, 3}) EXPECT_TRUE(stack.push(body));
+    for (const int body : {1, 3, 2, 0}) EXPECT_TRUE(stack.enter(body, roles));
+    EXPECT_EQ(stack.size(), 4);
+    const int by_rank[] = {2, 0, 1, 3};
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(stack.at(i), by_rank[i]);
+    EXPECT_EQ(path_media(*batch).owner(7), 3);
+    EXPECT_TRUE(path_media(*batch).holds(7, 2));
+    stack.leave(stack.find(0));
     EXPECT_EQ(stack.size(), 3);
-    EXPECT_EQ(stack.find(3), 2);  // the topmost entry
-    EXPECT_EQ(stack.find(5), 1);
-    stack.erase(1);
-    EXPECT_EQ(stack.size(), 2);
-    EXPECT_EQ(stack.at(0), 3);
-    EXPECT_EQ(stack.at(1), 3);
+    EXPECT_EQ(stack.at(1), 1);
+    EXPECT_FALSE(path_media(*batch).holds(7, 0));
     EXPECT_EQ(MediaStack<float>(*batch, 8).size(), 0);  // another path's
+    EXPECT_EQ(path_media(*batch).owner(8), no_body);
 }
 
 TEST(MediaStack, IsNotOverfilled) {
     const auto batch = std::make_unique<Batch>(2);
     MediaStack<float> stack(*batch, batch_capacity - 1);
-    EXPECT_TRUE(stack.push(1));
-    EXPECT_TRUE(stack.push(2));
-    EXPECT_FALSE(stack.push(3));
+    EXPECT_TRUE(stack.enter(1, roles));
+    EXPECT_TRUE(stack.enter(2, roles));
+    EXPECT_FALSE(stack.enter(3, roles));
     EXPECT_EQ(stack.size(), 2);
     EXPECT_EQ(stack.find(3), -1);
 }
 
-void expect_interface(const Interface& i, float n1, float n2) {
-    EXPECT_EQ(i.n1, n1);
-    EXPECT_EQ(i.n2, n2);
-}
+struct Meeting {
+    int body;
+    bool entering;
+    Interface expected;
+};
 
-TEST(Interface, NestedAndOverlappingBodiesLeadBackIntoEachOther) {
+// A path that meets one surface after another, and goes on through each.
+void expect_meetings(const std::vector<Meeting>& meetings) {
     const auto batch = std::make_unique<Batch>(4);
     MediaStack<float> stack(*batch, 0);
-    expect_interface(interface_at(stack, 0, true, index_of), 1, index_of(0));
-    stack.push(0);
-    expect_interface(interface_at(stack, 1, true, index_of), index_of(0), index_of(1));
-    expect_interface(interface_at(stack, 0, false, index_of), index_of(0), 1);
-    stack.push(1);
-    expect_interface(interface_at(stack, 1, false, index_of), index_of(1), index_of(0));
-    // overlapping: the outer one ends first
-    expect_interface(interface_at(stack, 0, false, index_of), index_of(0), index_of(1));
+    for (const Meeting& m : meetings) {
+        const Interface i = interface_at<float>(stack, m.body, m.entering, roles);
+        EXPECT_EQ(i.exists, m.expected.exists) << m.body;
+        if (i.exists) {
+            EXPECT_EQ(i.before, m.expected.before) << m.body;
+            EXPECT_EQ(i.beyond, m.expected.beyond) << m.body;
+        }
+        EXPECT_TRUE(cross<float>(stack, m.body, m.entering, roles));
+    }
 }
 
-TEST(Interface, ABodyThatWasNeverEnteredIsLeftAllTheSame) {
-    const auto batch = std::make_unique<Batch>(4);
-    MediaStack<float> stack(*batch, 0);
-    expect_interface(interface_at(stack, 2, false, index_of), index_of(2), 1);
-    stack.push(1);
-    expect_interface(interface_at(stack, 2, false, index_of), index_of(2), index_of(1));
+TEST(Interface, NestedBodiesLeadBackIntoEachOther) {
+    expect_meetings({{0, true, {true, no_body, 0}},
+                     {1, true, {true, 0, 1}},
+                     {1, false, {true, 1, 0}},
+                     {0, false, {true, 0, no_body}}});
+}
+
+TEST(Interface, OfOverlappingBodiesOneOwnsThePlace) {
+    // The owner last: its entry is seen, and the other's exit within it is not.
+    expect_meetings(
+        {{0, true, {true, no_body, 0}}, {1, true, {true, 0, 1}}, {0, false, {false}}, {1, false, {true, 1, no_body}}});
+    // The owner first: the other is only seen where the owner ends.
+    expect_meetings(
+        {{1, true, {true, no_body, 1}}, {0, true, {false}}, {1, false, {true, 1, 0}}, {0, false, {true, 0, no_body}}});
+}
+
+TEST(Interface, ASolidIsNeitherEnteredNorLeftTwice) {
+    expect_meetings(
+        {{0, false, {false}}, {0, true, {true, no_body, 0}}, {0, true, {false}}, {0, false, {true, 0, no_body}}});
+}
+
+TEST(Interface, WhatIsFlatIsLeftThoughNeverEntered) {
+    expect_meetings({{2, false, {true, 2, no_body}}, {2, true, {true, no_body, 2}}, {2, true, {true, 2, 2}}});
+    expect_meetings({{3, true, {true, no_body, 3}}, {2, false, {false}}, {2, true, {false}}, {3, false, {true, 3, 2}}});
 }
 
 // ---- the scatter stage
@@ -109,7 +133,7 @@ public:
             b.n.x[i] = 0, b.n.y[i] = 0, b.n.z[i] = from_inside ? -1 : 1;
             b.throughput.x[i] = b.throughput.y[i] = b.throughput.z[i] = 1;
             b.media_count[size_t(i)] = 0;
-            if (from_inside) MediaStack<double>(b, i).push(0);
+            if (from_inside) MediaStack<double>(b, i).enter(0, world_->bodies.roles);
         }
         RenderCounters counters;
         StageContext<double> c;

@@ -1,17 +1,13 @@
 #include "drt/accel/accel.h"
 
 #include <fmt/format.h>
-#if DRT_EMBREE_MAJOR >= 4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "drt/accel/callbacks.h"
 #include "drt/base/diagnostic.h"
 #include "drt/base/task_order.h"
 
@@ -19,315 +15,10 @@ namespace drt {
 
 namespace {
 
-constexpr int far_body = std::numeric_limits<int>::max();  // "no hit yet" loses every tie
-
-// Two surfaces closer than this (relative to the distance), beyond the rounding of the coordinates (below), are one:
-// the tie goes to the lower id.
-template <class Real>
-constexpr Real tie_tolerance = 4 * std::numeric_limits<Real>::epsilon();
-
-// Hits on bodies other than the start's must lie this far (relative to the origin's coordinates) from the origin, so
-// that a surface coincident with the start's does not shadow it by rounding.
-template <class Real>
-constexpr Real coincidence_tolerance = 8 * std::numeric_limits<Real>::epsilon();
+using namespace accel_detail;
 
 // Coordinates above this make Debian's Embree 3.13.5 abort.
 constexpr double embree_limit = 1e18;
-
-template <class Real>
-struct Group {
-    const BodyTable<Real>* table = nullptr;
-    BodyGroup group;
-};
-
-// Embree 4 renamed the context of a query and moved it into a struct of arguments.
-#if DRT_EMBREE_MAJOR >= 4
-using EmbreeContext = RTCRayQueryContext;
-constexpr auto init_context = rtcInitRayQueryContext;
-#else
-using EmbreeContext = RTCIntersectContext;
-constexpr auto init_context = rtcInitIntersectContext;
-#endif
-
-// What a callback finds behind Embree's context pointer: the true rays, in Real, and where hits go. Embree's own
-// float copy of the rays only steers the traversal.
-template <class Real>
-struct Query {
-    EmbreeContext embree;
-    const RayPacket<Real>* rays = nullptr;
-    HitPacket<Real>* hits = nullptr;
-    typename Pack<Real>::R tmin;
-    typename Pack<Real>::I exclude;
-};
-
-// One lane, or all lanes, of a packet.
-template <class T>
-struct Rays {
-    Vec3<T> o, d;
-    T tmin, tmax;
-    Rebind<T, float> time;
-    Rebind<T, int> start;
-};
-
-// A ray that leaves a convex body outward never meets it again, and most rays that a body's bounds let through are of
-// this kind: those towards the lights from the body that they light.
-template <ShapeKind kind, class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::Mask may_hit(const Query<Real>& q, int body) {
-    using F = typename Pack<Real>::F;
-    using I = typename Pack<Real>::I;
-    if constexpr (kind != ShapeKind::sphere && kind != ShapeKind::box) return typename Pack<Real>::Mask(true);
-    const I start = q.rays->start;
-    return !mask_cast<F>(start >= I(0) && start::body(start) == I(body) && start::outward(start));
-}
-
-template <ShapeKind kind, bool moving, class T, class Real = ScalarOf<T>>
-[[gnu::always_inline]] inline ShapeHit<T> hit_body(const BodyTable<Real>& table, const BodyGroup& g, int body,
-                                                   const Rays<T>& r) {
-    using I = Rebind<T, int>;
-    const auto& shape = shapes_of<kind>(table)[size_t(g.first_shape + body - g.first)];
-    const auto on = r.start >= I(0) && start::body(r.start) == I(body);
-    const Relation<T> rel{mask_cast<T>(on), mask_cast<T>(start::outward(r.start)), start::part(r.start)};
-    if constexpr (!moving) {
-        return intersect(shape, r.o - Vec3<T>(table.centers[size_t(body)]), r.d, rel, r.tmin, r.tmax);
-    } else {
-        const T u = num_cast<T>(r.time);
-        const auto path = table.path(body);
-        if constexpr (kind == ShapeKind::sphere) {
-            return intersect(shape, r.o - center_at(path, u), r.d, rel, r.tmin, r.tmax);
-        } else {
-            const Pose<T> pose = pose_at(path, u);
-            const Quat<T>& q = pose.orientation;
-            ShapeHit<T> h =
-                intersect(shape, rotate_back(q, r.o - pose.center), rotate_back(q, r.d), rel, r.tmin, r.tmax);
-            h.ng = rotate(q, h.ng);
-            return h;
-        }
-    }
-}
-
-template <class T>
-[[gnu::always_inline]] inline MaskOf<T> is_closer(const T& t, int body, const T& best_t,
-                                                  const Rebind<T, int>& best_body, const T& rounding) {
-    const T tie = t * T(tie_tolerance<ScalarOf<T>>) + rounding;
-    const auto wins_tie = mask_cast<T>(Rebind<T, int>(body) < best_body);
-    return t < best_t - tie || (wins_tie && t < best_t + tie);
-}
-
-// Embree culls by its float tfar: a little beyond the true distance, so that ties still reach the callback.
-template <class T>
-[[gnu::always_inline]] inline Rebind<T, float> culling_distance(const T& t) {
-    constexpr float slack = 1 + 8 * std::numeric_limits<float>::epsilon();
-    return num_cast<Rebind<T, float>>(t) * Rebind<T, float>(slack);
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Rays<typename Pack<Real>::R> all_lanes(const Query<Real>& q) {
-    const RayPacket<Real>& r = *q.rays;
-    return {r.o, r.d, q.tmin, r.tmax, r.time, r.start};
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Rays<Real> one_lane(const Query<Real>& q, int i) {
-    const RayPacket<Real>& r = *q.rays;
-    return {{lane(r.o.x, i), lane(r.o.y, i), lane(r.o.z, i)},
-            {lane(r.d.x, i), lane(r.d.y, i), lane(r.d.z, i)},
-            lane(q.tmin, i),
-            lane(r.tmax, i),
-            lane(r.time, i),
-            lane(r.start, i)};
-}
-
-template <class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::Mask valid_lanes(const int* valid) {
-    using I = typename Pack<Real>::I;
-    return mask_cast<typename Pack<Real>::F>(load<I>(valid) != I(0));
-}
-
-// ---- nearest hit -------------------------------------------------------------------------------------------------
-
-template <ShapeKind kind, bool moving, class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::Mask nearest_in_lanes(const Group<Real>& g, int body,
-                                                                         const Query<Real>& q,
-                                                                         const typename Pack<Real>::Mask& valid) {
-    using R = typename Pack<Real>::R;
-    using F = typename Pack<Real>::F;
-    using I = typename Pack<Real>::I;
-    HitPacket<Real>& h = *q.hits;
-    const ShapeHit<R> s = hit_body<kind, moving>(*g.table, g.group, body, all_lanes(q));
-    const auto take = s.valid && mask_cast<R>(valid) && is_closer(s.t, body, h.t, h.body, q.tmin);
-    const auto take_i = mask_cast<I>(take);
-    h.t = select(take, s.t, h.t);
-    h.ng = select(take, s.ng, h.ng);
-    h.body = select(take_i, I(body), h.body);
-    h.part = select(take_i, s.part, h.part);
-    return mask_cast<F>(take);
-}
-
-template <ShapeKind kind, bool moving, class Real>
-bool nearest_in_lane(const Group<Real>& g, int body, const Query<Real>& q, int i) {
-    HitPacket<Real>& h = *q.hits;
-    const ShapeHit<Real> s = hit_body<kind, moving>(*g.table, g.group, body, one_lane(q, i));
-    if (!s.valid || !is_closer(s.t, body, lane(h.t, i), lane(h.body, i), lane(q.tmin, i))) return false;
-    h.t[i] = s.t;
-    h.ng.x[i] = s.ng.x;
-    h.ng.y[i] = s.ng.y;
-    h.ng.z[i] = s.ng.z;
-    h.body[i] = body;
-    h.part[i] = s.part;
-    return true;
-}
-
-template <ShapeKind kind, bool moving, class Real>
-void intersect_callback(const RTCIntersectFunctionNArguments* args) {
-    using P = Pack<Real>;
-    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
-    auto& q = *reinterpret_cast<Query<Real>*>(args->context);
-    const int body = g.group.first + int(args->primID);
-    RTCRayN* ray = RTCRayHitN_RayN(args->rayhit, args->N);
-    RTCHitN* hit = RTCRayHitN_HitN(args->rayhit, args->N);
-    if (args->N == unsigned(P::width)) {
-        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
-        if (!any(candidates)) return;
-        const auto took = nearest_in_lanes<kind, moving>(g, body, q, candidates);
-        if (!any(took)) return;
-        using F = typename P::F;
-        using U = typename P::U;
-        float* tfar = &RTCRayN_tfar(ray, args->N, 0);
-        store(select(took, culling_distance(q.hits->t), load<F>(tfar)), tfar);
-        unsigned* geom = &RTCHitN_geomID(hit, args->N, 0);
-        store(select(mask_cast<U>(took), U(args->geomID), load<U>(geom)), geom);
-        return;
-    }
-    // Embree fell back to single rays: find each one's lane by its id.
-    for (unsigned i = 0; i < args->N; ++i) {
-        if (!args->valid[i]) continue;
-        const int l = int(RTCRayN_id(ray, args->N, i));
-        if (!nearest_in_lane<kind, moving>(g, body, q, l)) continue;
-        RTCRayN_tfar(ray, args->N, i) = culling_distance(lane(q.hits->t, l));
-        RTCHitN_geomID(hit, args->N, i) = args->geomID;
-    }
-}
-
-// ---- visibility --------------------------------------------------------------------------------------------------
-
-template <ShapeKind kind, bool moving, class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::Mask blocked_lanes(const Group<Real>& g, int body,
-                                                                      const Query<Real>& q) {
-    using I = typename Pack<Real>::I;
-    using F = typename Pack<Real>::F;
-    const auto s = hit_body<kind, moving>(*g.table, g.group, body, all_lanes(q));
-    return mask_cast<F>(s.valid) && mask_cast<F>(q.exclude != I(body));
-}
-
-template <ShapeKind kind, bool moving, class Real>
-void occluded_callback(const RTCOccludedFunctionNArguments* args) {
-    using P = Pack<Real>;
-    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
-    auto& q = *reinterpret_cast<Query<Real>*>(args->context);
-    const int body = g.group.first + int(args->primID);
-    constexpr float blocked = -std::numeric_limits<float>::infinity();
-    if (args->N == unsigned(P::width)) {
-        using F = typename P::F;
-        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
-        if (!any(candidates)) return;
-        const auto hits = blocked_lanes<kind, moving>(g, body, q) && candidates;
-        if (!any(hits)) return;
-        float* tfar = &RTCRayN_tfar(args->ray, args->N, 0);
-        store(select(hits, F(blocked), load<F>(tfar)), tfar);
-        return;
-    }
-    for (unsigned i = 0; i < args->N; ++i) {
-        if (!args->valid[i]) continue;
-        const int l = int(RTCRayN_id(args->ray, args->N, i));
-        if (lane(q.exclude, l) == body) continue;
-        if (hit_body<kind, moving>(*g.table, g.group, body, one_lane(q, l)).valid)
-            RTCRayN_tfar(args->ray, args->N, i) = blocked;
-    }
-}
-
-// ---- infinite planes ---------------------------------------------------------------------------------------------
-
-template <class Real>
-bool plane_moves(const BodyTable<Real>& table, int body) {
-    return !table.path(body).empty();
-}
-
-template <class Real>
-[[gnu::always_inline]] inline void intersect_planes(const Group<Real>& planes, const Query<Real>& q,
-                                                    const typename Pack<Real>::Mask& valid) {
-    for (int i = 0; i < planes.group.count; ++i) {
-        const int body = planes.group.first + i;
-        if (plane_moves(*planes.table, body))
-            nearest_in_lanes<ShapeKind::plane, true>(planes, body, q, valid);
-        else
-            nearest_in_lanes<ShapeKind::plane, false>(planes, body, q, valid);
-    }
-}
-
-template <class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::Mask occluded_by_planes(const Group<Real>& planes,
-                                                                           const Query<Real>& q) {
-    typename Pack<Real>::Mask blocked(false);
-    for (int i = 0; i < planes.group.count; ++i) {
-        const int body = planes.group.first + i;
-        blocked =
-            blocked || (plane_moves(*planes.table, body) ? blocked_lanes<ShapeKind::plane, true>(planes, body, q)
-                                                         : blocked_lanes<ShapeKind::plane, false>(planes, body, q));
-    }
-    return blocked;
-}
-
-// ---- Embree's side -----------------------------------------------------------------------------------------------
-
-template <int width>
-struct EmbreePacket;
-template <>
-struct EmbreePacket<4> {
-    using RayHit = RTCRayHit4;
-    using Ray = RTCRay4;
-    static constexpr auto intersect = rtcIntersect4;
-    static constexpr auto occluded = rtcOccluded4;
-};
-template <>
-struct EmbreePacket<8> {
-    using RayHit = RTCRayHit8;
-    using Ray = RTCRay8;
-    static constexpr auto intersect = rtcIntersect8;
-    static constexpr auto occluded = rtcOccluded8;
-};
-template <>
-struct EmbreePacket<16> {
-    using RayHit = RTCRayHit16;
-    using Ray = RTCRay16;
-    static constexpr auto intersect = rtcIntersect16;
-    static constexpr auto occluded = rtcOccluded16;
-};
-
-template <int width>
-void embree_intersect(const int* valid, RTCScene scene, EmbreeContext& context,
-                      typename EmbreePacket<width>::RayHit& rays) {
-#if DRT_EMBREE_MAJOR >= 4
-    RTCIntersectArguments arguments;
-    rtcInitIntersectArguments(&arguments);
-    arguments.context = &context;
-    EmbreePacket<width>::intersect(valid, scene, &rays, &arguments);
-#else
-    EmbreePacket<width>::intersect(valid, scene, &context, &rays);
-#endif
-}
-
-template <int width>
-void embree_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
-                     typename EmbreePacket<width>::Ray& rays) {
-#if DRT_EMBREE_MAJOR >= 4
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.context = &context;
-    EmbreePacket<width>::occluded(valid, scene, &rays, &arguments);
-#else
-    EmbreePacket<width>::occluded(valid, scene, &context, &rays);
-#endif
-}
 
 template <class Real, class EmbreeRay>
 [[gnu::always_inline]] inline void fill_ray(EmbreeRay& e, const RayPacket<Real>& r,
@@ -363,10 +54,14 @@ template <class Real>
 }
 
 template <class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::R coincidence_distance(const RayPacket<Real>& r) {
+[[gnu::always_inline]] inline typename Pack<Real>::R slack_of(const RayPacket<Real>& r) {
     using R = typename Pack<Real>::R;
-    using std::abs;
-    return max(abs(r.o.x), max(abs(r.o.y), abs(r.o.z))) * R(coincidence_tolerance<Real>);
+    const R reach = largest_coordinate(r.o);
+    R travelled(0);
+    if (r.from) travelled = load<R>(r.from->travelled + r.number);
+    if (r.from && r.from->before)
+        travelled += load<R>(r.from->before->travelled + r.number);  // only counts after a hop
+    return (reach + travelled) * R(origin_error<Real>);
 }
 
 template <class Real>
@@ -524,12 +219,13 @@ void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, 
     using Embree = EmbreePacket<P::width>;
     const auto active = reject_bad(rays, counters);
     hits.t = rays.tmax;
-    hits.body = I(far_body);
+    hits.body = I(no_body);
     Query<Real> q;
     init_context(&q.embree);
     q.rays = &rays;
     q.hits = &hits;
-    q.tmin = coincidence_distance(rays);
+    q.slack = slack_of(rays);
+    q.hit_error = typename P::R(0);
     intersect_planes(impl_->planes, q, active);
     if (!impl_->empty && any(active)) {
         alignas(64) typename Embree::RayHit e;
@@ -539,7 +235,6 @@ void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, 
         store(select(mask_cast<I>(active), I(-1), I(0)), valid);
         embree_intersect<P::width>(valid, impl_->scene, q.embree, e);
     }
-    hits.body = select(hits.body == I(far_body), I(no_body), hits.body);
 }
 
 template <class Real>
@@ -553,7 +248,7 @@ typename Pack<Real>::Mask Accel<Real>::occluded(const RayPacket<Real>& rays, con
     Query<Real> q;
     init_context(&q.embree);
     q.rays = &rays;
-    q.tmin = coincidence_distance(rays);
+    q.slack = slack_of(rays);
     q.exclude = exclude;
     auto blocked = active && occluded_by_planes(impl_->planes, q);
     active = active && !blocked;

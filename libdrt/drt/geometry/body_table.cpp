@@ -1,6 +1,7 @@
 #include "drt/geometry/body_table.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -16,13 +17,19 @@ static_assert(std::is_same_v<std::variant_alternative_t<size_t(ShapeKind::plane)
 
 SphereShape<float> to_float(const SphereShape<double>& s) { return {float(s.radius)}; }
 FlatShape<float> to_float(const FlatShape<double>& s) {
-    return {Vec3f(s.origin), Vec3f(s.normal), Vec3f(s.da), Vec3f(s.db), s.outline};
+    return {Vec3f(s.origin), Vec3f(s.normal), Vec3f(s.da), Vec3f(s.db), s.outline, float(s.da_size), float(s.db_size)};
 }
 BoxShape<float> to_float(const BoxShape<double>& s) { return {Vec3f(s.ax), Vec3f(s.ay), Vec3f(s.az), Vec3f(s.half)}; }
 CylinderShape<float> to_float(const CylinderShape<double>& s) {
     return {Vec3f(s.ax), Vec3f(s.ay), Vec3f(s.az), float(s.radius), float(s.half_height), s.capped};
 }
 PlaneShape<float> to_float(const PlaneShape<double>& s) { return {Vec3f(s.normal)}; }
+
+// The sum of its absolute coordinates is at least a vector's length.
+template <class Real>
+Real size_of(const Vec3<Real>& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 
 template <class Real, class S>
 auto as_real(const S& s) {
@@ -61,12 +68,48 @@ void append_shape(BodyTable<Real>& t, const AnyShape& shape) {
         [&](const auto& s) {
             using S = std::decay_t<decltype(s)>;
             if constexpr (std::is_same_v<S, SphereShape<double>>) t.spheres.push_back(as_real<Real>(s));
-            if constexpr (std::is_same_v<S, FlatShape<double>>) t.flats.push_back(as_real<Real>(s));
+            if constexpr (std::is_same_v<S, FlatShape<double>>) {
+                t.flats.push_back(as_real<Real>(s));
+                t.flats.back().da_size = size_of(t.flats.back().da);
+                t.flats.back().db_size = size_of(t.flats.back().db);
+            }
             if constexpr (std::is_same_v<S, BoxShape<double>>) t.boxes.push_back(as_real<Real>(s));
             if constexpr (std::is_same_v<S, CylinderShape<double>>) t.cylinders.push_back(as_real<Real>(s));
             if constexpr (std::is_same_v<S, PlaneShape<double>>) t.planes.push_back(as_real<Real>(s));
         },
         shape);
+}
+
+bool fills_a_volume(const BodyInput& in) {
+    switch (kind_of(in.shape)) {
+        case ShapeKind::sphere:
+        case ShapeKind::box:
+            return true;
+        case ShapeKind::cylinder:
+            return std::get<CylinderShape<double>>(in.shape).capped;
+        case ShapeKind::plane:
+            return in.role.refracts;
+        case ShapeKind::flat:
+            break;
+    }
+    return false;
+}
+
+// The centre and the extent about it are rounded once each, and once more when a ray is taken relative to the centre.
+template <class Real>
+Real surface_error(const BodyInput& in) {
+    double reach = length(in.center);
+    for (const MotionPiece<double>& p : in.path)
+        reach = std::max(reach, length(p.c0) + length(p.c1) + length(p.c2) + length(p.c3));
+    reach += std::visit(
+        [](const auto& s) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(s)>, PlaneShape<double>>)
+                return 0.0;
+            else
+                return length(half_extent(s));
+        },
+        in.shape);
+    return Real(2 * double(std::numeric_limits<Real>::epsilon()) * reach);
 }
 
 template <class Real>
@@ -114,6 +157,8 @@ BuiltTable<Real> build_body_table(const std::vector<BodyInput>& inputs) {
         ++t.groups.back().count;
         append_shape(t, in.shape);
         t.centers.emplace_back(in.path.empty() ? in.center : center_at<double>(in.path, 0.0));
+        t.roles.push_back({in.role.rank, in.role.refracts, fills_a_volume(in)});
+        t.surface_error.push_back(surface_error<Real>(in));
         if (any_motion) {
             t.motions.push_back({int(t.pieces.size()), int(in.path.size())});
             for (const MotionPiece<double>& p : in.path) t.pieces.push_back(cast<Real>(p));

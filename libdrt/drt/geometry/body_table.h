@@ -23,6 +23,16 @@ struct BodyGroup {
     int first_shape = 0;  ///< body first + i has shape first_shape + i in its kind's array
 };
 
+/// What decides where bodies touch or overlap, the same for every ray.
+struct ContactRole {
+    /// Among all bodies; the lowest owns an overlap of media (plan/rank.h).
+    std::int32_t rank = 0;
+    /// Its surface may lead into it: it belongs to the media that a path keeps track of.
+    bool refracts = false;
+    /// It fills a volume: a closed shape, or what lies behind a plane that refracts. (The table's builder finds it.)
+    bool solid = false;
+};
+
 struct PieceRange {
     int first = 0, count = 0;  ///< count 0: the body stands still
 };
@@ -37,7 +47,9 @@ struct BodyTable {
     std::vector<BoxShape<Real>> boxes;
     std::vector<CylinderShape<Real>> cylinders;
     std::vector<PlaneShape<Real>> planes;
-    std::vector<BodyGroup> groups;  ///< bounded bodies, for the accelerator
+    std::vector<ContactRole> roles;   ///< per body
+    std::vector<Real> surface_error;  ///< per body: how far rounding may have moved its surface
+    std::vector<BodyGroup> groups;    ///< bounded bodies, for the accelerator
     BodyGroup plane_group{ShapeKind::plane, false, 1, 0, 0, 0};
 
     int body_count() const { return int(centers.size()); }
@@ -56,6 +68,7 @@ struct BodyInput {
     AnyShape shape;
     Vec3d center;
     std::vector<MotionPiece<double>> path;  ///< empty: it stands still at `center`
+    ContactRole role{};
 };
 
 /// `order[id]` is the index in `inputs` of the body with that id.

@@ -1,13 +1,21 @@
 #pragma once
 // Ray against shape, in the shape's own centred coordinates: o and d relative to the body's centre, d a unit vector
-// (so t is a length). Hits lie in (tmin, tmax), except that the own second root of a ray that starts on the shape is
-// taken whatever its size.
+// (so t is a length). Hits lie in (0, tmax), except that the own second root of a ray that starts on the shape is taken
+// whatever its size.
+//
+// `slack` is how far rounding may have moved the ray where it starts. Flat pieces, boxes and open cylinders are that
+// much larger, and what rounding adds on the way: a ray at the common edge of two of them meets one of them, so that
+// walls which only touch keep a room dark.
 
 #include "drt/geometry/shapes.h"
 
 // always_inline: see base/simd.h; a call passes every lane through memory.
 
 namespace drt {
+
+/// How far rounding may move a ray along its way, relative to its length.
+template <class Real>
+inline constexpr Real travel_error = 4 * std::numeric_limits<Real>::epsilon();
 
 /// Nearest root in range of a convex body whose surface is crossed at t_in <= t_out. `t_out_own` replaces t_out for
 /// rays that start on it and go inward; rays that start on it and go outward hit nothing.
@@ -25,11 +33,10 @@ struct Chosen {
 };
 
 template <class T>
-[[gnu::always_inline]] inline Chosen<T> choose_root(const ConvexRoots<T>& r, const Relation<T>& rel, const T& tmin,
-                                                    const T& tmax) {
-    const auto first = r.t_in > tmin && !rel.on;
+[[gnu::always_inline]] inline Chosen<T> choose_root(const ConvexRoots<T>& r, const Relation<T>& rel, const T& tmax) {
+    const auto first = r.t_in > T(0) && !rel.on;
     T t = select(first, r.t_in, r.t_out);
-    const auto beyond_start = (rel.on && !rel.outward) || (!rel.on && t > tmin);
+    const auto beyond_start = (rel.on && !rel.outward) || (!rel.on && t > T(0));
     t = max(t, T(0));  // an own exit may round to just below zero at a grazing edge: it is still an exit
     return {r.crosses && beyond_start && t < tmax, first, t};
 }
@@ -38,8 +45,7 @@ template <class T>
 /// (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems ch. 7).
 template <class T>
 [[gnu::always_inline]] inline ShapeHit<T> intersect(const SphereShape<ScalarOf<T>>& s, const Vec3<T>& o,
-                                                    const Vec3<T>& d, const Relation<T>& rel, const T& tmin,
-                                                    const T& tmax) {
+                                                    const Vec3<T>& d, const Relation<T>& rel, const T&, const T& tmax) {
     using std::sqrt;
     const T b = dot(o, d);
     const Vec3<T> p = o - d * b;
@@ -53,42 +59,45 @@ template <class T>
     ConvexRoots<T> roots{min(q, other), max(q, other), disc >= T(0)};
     roots.t_out = select(rel.on, T(-2) * b, roots.t_out);  // c = 0 exactly on the surface
     roots.crosses = roots.crosses || rel.on;
-    const Chosen<T> hit = choose_root(roots, rel, tmin, tmax);
+    const Chosen<T> hit = choose_root(roots, rel, tmax);
     return {hit.valid, hit.t, o + d * hit.t, Rebind<T, int>(0)};
 }
 
+/// Whether a point of the plane, relative to the shape's origin, lies on the piece or not farther than `margin` from
+/// it.
 template <class T>
-[[gnu::always_inline]] inline MaskOf<T> inside_outline(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& p) {
-    const Vec3<T> q = p - Vec3<T>(s.origin);
+[[gnu::always_inline]] inline MaskOf<T> inside_outline(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& q,
+                                                       const T& margin) {
+    using std::abs;
     const T a = dot(q, Vec3<T>(s.da)), b = dot(q, Vec3<T>(s.db));
+    const T ma = margin * T(s.da_size), mb = margin * T(s.db_size);
     switch (s.outline) {
         case Outline::parallelogram:
-            return a >= T(0) && b >= T(0) && a <= T(1) && b <= T(1);
+            return abs(a - T(0.5f)) <= T(0.5f) + ma && abs(b - T(0.5f)) <= T(0.5f) + mb;
         case Outline::triangle:
-            return a >= T(0) && b >= T(0) && a + b <= T(1);
+            return a >= -ma && b >= -mb && a + b <= T(1) + (ma + mb);
         case Outline::disc:
             break;
     }
-    return a * a + b * b <= T(1);
+    return a * a + b * b <= T(1) + T(2) * ma;
 }
 
 template <class T>
 [[gnu::always_inline]] inline ShapeHit<T> intersect(const FlatShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d,
-                                                    const Relation<T>& rel, const T& tmin, const T& tmax) {
-    const Vec3<T> n(s.normal);
-    const T dn = dot(d, n);
-    const T t = dot(Vec3<T>(s.origin) - o, n) / dn;  // parallel: inf or NaN, both fail the range test
-    const auto valid = t > tmin && t < tmax && !rel.on && inside_outline(s, o + d * t);
-    return {valid, t, n, Rebind<T, int>(0)};
+                                                    const Relation<T>& rel, const T& slack, const T& tmax) {
+    const Vec3<T> n(s.normal), q = o - Vec3<T>(s.origin);
+    const T t = -dot(q, n) / dot(d, n);  // parallel: inf or NaN, both fail the range test
+    const auto in_range = t > T(0) && t < tmax && !rel.on;
+    const T margin = slack + t * T(travel_error<ScalarOf<T>>);
+    return {in_range && inside_outline(s, q + d * t, margin), t, n, Rebind<T, int>(0)};
 }
 
 template <class T>
 [[gnu::always_inline]] inline ShapeHit<T> intersect(const PlaneShape<ScalarOf<T>>& s, const Vec3<T>& o,
-                                                    const Vec3<T>& d, const Relation<T>& rel, const T& tmin,
-                                                    const T& tmax) {
+                                                    const Vec3<T>& d, const Relation<T>& rel, const T&, const T& tmax) {
     const Vec3<T> n(s.normal);
     const T t = -dot(o, n) / dot(d, n);
-    return {t > tmin && t < tmax && !rel.on, t, n, Rebind<T, int>(0)};
+    return {t > T(0) && t < tmax && !rel.on, t, n, Rebind<T, int>(0)};
 }
 
 /// The slab test, one axis after another. Faces are closed: a ray that runs along a face, exactly in it, is inside.
@@ -122,16 +131,19 @@ struct Slab {
 
 template <class T>
 [[gnu::always_inline]] inline ShapeHit<T> intersect(const BoxShape<ScalarOf<T>>& s, const Vec3<T>& o, const Vec3<T>& d,
-                                                    const Relation<T>& rel, const T& tmin, const T& tmax) {
+                                                    const Relation<T>& rel, const T& slack, const T& tmax) {
     using I = Rebind<T, int>;
+    using std::abs;
     const Vec3<T> ax(s.ax), ay(s.ay), az(s.az);
     const Vec3<T> lo{dot(o, ax), dot(o, ay), dot(o, az)}, ld{dot(d, ax), dot(d, ay), dot(d, az)};
     Slab<T> slab;
     slab.clip(lo.x, ld.x, s.half.x, 0);
     slab.clip(lo.y, ld.y, s.half.y, 1);
     slab.clip(lo.z, ld.z, s.half.z, 2);
-    const ConvexRoots<T> roots{slab.lo, slab.hi, slab.lo <= slab.hi || rel.on};
-    const Chosen<T> hit = choose_root(roots, rel, tmin, tmax);
+    // past an edge, the slabs are apart by at least the distance from it
+    const T margin = slack + abs(slab.lo) * T(travel_error<ScalarOf<T>>);
+    const ConvexRoots<T> roots{slab.lo, slab.hi, slab.lo <= slab.hi + margin || rel.on};
+    const Chosen<T> hit = choose_root(roots, rel, tmax);
     const I axis = select(mask_cast<I>(hit.entering), slab.lo_axis, slab.hi_axis);
     const auto is_x = mask_cast<T>(axis == I(0)), is_y = mask_cast<T>(axis == I(1));
     const T component = select(is_x, ld.x, select(is_y, ld.y, ld.z));
@@ -144,9 +156,10 @@ template <class T>
 
 template <class T>
 [[gnu::always_inline]] inline ShapeHit<T> intersect(const CylinderShape<ScalarOf<T>>& s, const Vec3<T>& o,
-                                                    const Vec3<T>& d, const Relation<T>& rel, const T& tmin,
+                                                    const Vec3<T>& d, const Relation<T>& rel, const T& slack,
                                                     const T& tmax) {
     using I = Rebind<T, int>;
+    using std::abs;
     using std::sqrt;
     const Vec3<T> ax(s.ax), ay(s.ay), az(s.az);
     const T ox = dot(o, ax), oy = dot(o, ay), oz = dot(o, az);
@@ -175,11 +188,11 @@ template <class T>
     if (!s.capped) {  // a surface, not a solid: each root counts on its own, where it lies between the ends
         const auto between = [&](const T& t) {
             const T z = oz + dz * t;
-            return z >= -h && z <= h;
+            return abs(z) <= h + (slack + t * T(travel_error<ScalarOf<T>>));
         };
-        const auto use_in = in_tube && !along && !on_side && in > tmin && in < tmax && between(in);
+        const auto use_in = in_tube && !along && !on_side && in > T(0) && in < tmax && between(in);
         const auto own_exit = on_side && !rel.outward;
-        const auto use_out = in_tube && !along && (own_exit || (!on_side && out > tmin)) && out < tmax && between(out);
+        const auto use_out = in_tube && !along && (own_exit || (!on_side && out > T(0))) && out < tmax && between(out);
         const T t = select(use_in, in, out);
         const Vec3<T> n = (ax * (ox + dx * t) + ay * (oy + dy * t)) * (T(1) / r);
         return {use_in || use_out, t, n, I(part_side)};
@@ -191,7 +204,7 @@ template <class T>
     const auto side_in = in > z_in, side_out = out < z_out;
     const ConvexRoots<T> roots{select(side_in, in, z_in), select(side_out, out, z_out),
                                (in_tube && max(in, z_in) <= min(out, z_out)) || rel.on};
-    const Chosen<T> hit = choose_root(roots, rel, tmin, tmax);
+    const Chosen<T> hit = choose_root(roots, rel, tmax);
     const auto side = (hit.entering && side_in) || (!hit.entering && side_out);
     const auto upward = (dz > T(0)) != hit.entering;
     const T cap_sign = select(upward, T(1), T(-1));

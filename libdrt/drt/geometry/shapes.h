@@ -29,6 +29,7 @@ struct FlatShape {
     Vec3<Real> normal;  ///< unit
     Vec3<Real> da, db;  ///< dual basis of the edges
     Outline outline;
+    Real da_size = 0, db_size = 0;  ///< at least the lengths of da, db: how far a distance leads in a and b
 };
 
 /// Rows of the rotation from world to the box' own axes.

@@ -25,6 +25,13 @@ std::vector<int> in_order(const std::vector<int>& values, const std::vector<int>
 }
 
 template <class Real>
+ShapeRef shape_of(const BodyTable<Real>& t, int body) {
+    for (const BodyGroup& g : t.groups)
+        if (body >= g.first && body < g.first + g.count) return {g.kind, body, g.first_shape + body - g.first};
+    return {ShapeKind::plane, body, t.plane_group.first_shape + body - t.plane_group.first};
+}
+
+template <class Real>
 std::unique_ptr<World<Real>> build_world(const SceneDesc& scene, PreparedScene&& p, const PlanOptions& options,
                                          const Features& features, SceneTables&& tables) {
     auto w = std::make_unique<World<Real>>();
@@ -46,6 +53,7 @@ std::unique_ptr<World<Real>> build_world(const SceneDesc& scene, PreparedScene&&
         for (auto& l : lights)
             if (l.body >= 0) l.body = new_id[size_t(l.body)];
     };
+    for (const int i : p.eye_media) w->eye_media.push_back(shape_of(w->bodies, new_id[size_t(i)]));
     renumber(w->lights.points);
     renumber(w->lights.rects);
     renumber(w->lights.spheres);

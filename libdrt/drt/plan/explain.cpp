@@ -24,6 +24,10 @@ int count_moving(const PreparedScene& p) {
     return int(std::count_if(p.bodies.begin(), p.bodies.end(), [](const BodyInput& b) { return !b.path.empty(); }));
 }
 
+int count_refracting(const PreparedScene& p) {
+    return int(std::count_if(p.bodies.begin(), p.bodies.end(), [](const BodyInput& b) { return b.role.refracts; }));
+}
+
 }  // namespace
 
 Features find_features(const SceneDesc& scene, const PreparedScene& p) {
@@ -45,6 +49,8 @@ Features find_features(const SceneDesc& scene, const PreparedScene& p) {
     const bool deep = scene.render.max_depth > 0;
     f.refraction = deep && any([](const Material* m) { return m->refraction > 0; });
     f.scatter = f.refraction || (deep && any([](const Material* m) { return m->reflectance > 0; }));
+    f.nested_media = f.refraction && count_refracting(p) > 1;
+    f.eye_media = f.refraction && !p.eye_media.empty();
     f.glossy = deep && any([](const Material* m) {
                    return (m->reflectance > 0 && m->reflection_spread_degrees > 0) ||
                           (m->refraction > 0 && m->refraction_spread_degrees > 0);
@@ -55,7 +61,7 @@ Features find_features(const SceneDesc& scene, const PreparedScene& p) {
 Features keep_everything(Features f) {
     f.pixel_filter = f.lens = f.time = f.moving_camera = f.planes = f.textures = true;
     f.visible_lights = f.lights = f.light_samples = f.specular = true;
-    f.scatter = f.refraction = f.glossy = true;
+    f.scatter = f.refraction = f.nested_media = f.eye_media = f.glossy = true;
     return f;
 }
 
@@ -85,6 +91,12 @@ Explanation explain(const SceneDesc& scene, const PreparedScene& p, const Featur
     say("scatter", f.scatter, fmt::format("up to {} bounces", scene.render.max_depth),
         scene.render.max_depth == 0 ? "max_depth is 0" : "nothing reflects or refracts");
     say("media stack", f.refraction, "some material refracts", "nothing refracts");
+    say("nested media", f.nested_media,
+        fmt::format("{} bodies refract: where they overlap, one of them owns the place", count_refracting(p)),
+        f.refraction ? "only one body refracts" : "nothing refracts");
+    say("media of the eye", f.eye_media,
+        fmt::format("found for every camera sample among {} bodies", p.eye_media.size()),
+        f.refraction ? "the lens is outside of every body that refracts" : "nothing refracts");
     say("glossy lobes", f.glossy, "some lobe has a spread", "every lobe is sharp");
     say("double precision", f.double_precision, double_reason.empty() ? "asked for" : double_reason,
         "float is exact enough for every body and pixel");

@@ -35,7 +35,9 @@ struct Features {
     bool specular = false;            ///< some material has highlights
     OptionalFeature scatter = false;  ///< something reflects or refracts
     OptionalFeature refraction = false;
-    OptionalFeature glossy = false;  ///< some lobe is not sharp
+    OptionalFeature nested_media = false;  ///< several bodies refract: they may overlap
+    OptionalFeature eye_media = false;     ///< the eye may be inside a body that refracts
+    OptionalFeature glossy = false;        ///< some lobe is not sharp
     bool double_precision = false;
     friend bool operator==(const Features&, const Features&) = default;
 };

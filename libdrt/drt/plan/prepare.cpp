@@ -9,7 +9,9 @@
 
 #include "drt/formats/formats.h"
 #include "drt/light/light_choice.h"
+#include "drt/plan/eye_media.h"
 #include "drt/plan/motion_build.h"
+#include "drt/plan/rank.h"
 
 namespace drt {
 
@@ -23,21 +25,23 @@ MaterialIndex index_materials(const SceneDesc& scene) {
     return index;
 }
 
-void add_body(PreparedScene& p, const BuiltBody& built, std::vector<MotionPiece<double>> path, int material,
+void add_body(PreparedScene& p, const BuiltBody& built, std::vector<MotionPiece<double>> path, int source, int material,
               int emitter, bool textured) {
     p.bodies.push_back({built.shape, built.center, std::move(path)});
+    p.body_source.push_back(source);
     p.body_material.push_back(material);
     p.body_emitter.push_back(emitter);
     p.body_mapping.push_back(textured && built.mapping ? int(p.mappings.size()) : -1);
     if (textured && built.mapping) p.mappings.push_back(*built.mapping);
 }
 
-void add_sphere_set(PreparedScene& p, const SphereSet& set, int material) {
+void add_sphere_set(PreparedScene& p, const SphereSet& set, int source, int material) {
     for (const SphereRecord& s : read_sphere_set(set.file))
-        add_body(p, {SphereShape<double>{s.radius}, s.center, {}}, {}, material, -1, false);
+        add_body(p, {SphereShape<double>{s.radius}, s.center, {}}, {}, source, material, -1, false);
 }
 
-void add_described_body(PreparedScene& p, const SceneDesc& scene, const Body& body, int material) {
+void add_described_body(PreparedScene& p, const SceneDesc& scene, int source, int material) {
+    const Body& body = scene.bodies[size_t(source)];
     BuiltBody built = build_body(body.shape);
     std::vector<MotionPiece<double>> path;
     if (body.motion) {
@@ -48,7 +52,7 @@ void add_described_body(PreparedScene& p, const SceneDesc& scene, const Body& bo
             path.clear();
         }
     }
-    add_body(p, built, std::move(path), material, -1, !scene.materials[size_t(material)].texture.empty());
+    add_body(p, built, std::move(path), source, material, -1, !scene.materials[size_t(material)].texture.empty());
 }
 
 LightCommon<float> add_light_body(PreparedScene& p, const Light& light) {
@@ -57,7 +61,7 @@ LightCommon<float> add_light_body(PreparedScene& p, const Light& light) {
     const auto* rect = std::get_if<RectLight>(&light.shape);
     common.body = int(p.bodies.size());
     p.emitters.push_back({light.color, !rect || rect->two_sided});
-    add_body(p, build_light_body(light.shape), {}, -1, int(p.emitters.size()) - 1, false);
+    add_body(p, build_light_body(light.shape), {}, -1, -1, int(p.emitters.size()) - 1, false);
     return common;
 }
 
@@ -92,6 +96,12 @@ void recenter(PreparedScene& p) {
     for (auto& l : p.lights.points) move(l.position);
     for (auto& l : p.lights.rects) move(l.corner);
     for (auto& l : p.lights.spheres) move(l.center);
+    // A plane is the same wherever on it its centre lies; the nearest place has the smallest rounding. (Textures start
+    // from the centre.)
+    for (size_t i = 0; i < p.bodies.size(); ++i)
+        if (const auto* plane = std::get_if<PlaneShape<double>>(&p.bodies[i].shape))
+            if (p.bodies[i].path.empty() && p.body_mapping[i] < 0)
+                p.bodies[i].center = plane->normal * dot(p.bodies[i].center, plane->normal);
     move(p.camera.eye[0]);
     for (MotionPiece<double>& piece : p.camera.path) move(piece.c0);
 }
@@ -102,17 +112,21 @@ PreparedScene prepare(const SceneDesc& scene, const PlanOptions& options) {
     PreparedScene p;
     p.exposure = exposure_of_frame(scene, options.frame, options.camera);
     const MaterialIndex materials = index_materials(scene);
-    for (const Body& b : scene.bodies) {
+    for (int i = 0; i < int(scene.bodies.size()); ++i) {
+        const Body& b = scene.bodies[size_t(i)];
         const int material = materials.at(b.material);
         if (const auto* set = std::get_if<SphereSet>(&b.shape))
-            add_sphere_set(p, *set, material);
+            add_sphere_set(p, *set, i, material);
         else
-            add_described_body(p, scene, b, material);
+            add_described_body(p, scene, i, material);
     }
     for (const Light& l : scene.lights) add_light(p, l);
     p.camera = build_camera(scene.render, scene.cameras[size_t(p.exposure.camera)], p.exposure);
     recenter(p);
     plan_light_choice(p.lights);
+    assign_roles(p, scene);
+    check_nesting(p, scene);
+    p.eye_media = find_eye_media(p);
     return p;
 }
 

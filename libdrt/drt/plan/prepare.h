@@ -6,17 +6,21 @@
 
 namespace drt {
 
+inline constexpr int most_media = 64;  ///< bodies that refract that a path can be inside of at once
+
 struct PreparedScene {
     Exposure exposure;
     Vec3d origin;  ///< eye at shutter open; already subtracted everywhere below
     std::vector<BodyInput> bodies;
     std::vector<int> body_material;  ///< index in SceneDesc::materials, -1 for emitters
     std::vector<int> body_emitter;   ///< index in emitters or -1
+    std::vector<int> body_source;    ///< index in SceneDesc::bodies, -1 for emitters
     std::vector<int> body_mapping;   ///< index in mappings or -1
     std::vector<Mapping<double>> mappings;
     std::vector<Emitter> emitters;
     LightTable<double> lights;
     CameraModel<double> camera;
+    std::vector<int> eye_media;  ///< bodies that refract and that the eye may be inside of, by index in `bodies`
 };
 
 PreparedScene prepare(const SceneDesc&, const PlanOptions&);

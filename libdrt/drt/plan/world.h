@@ -29,6 +29,12 @@ struct Mapping {
                         ///< cylinder: (radius, half height, -)
 };
 
+/// Where a body's shape is: BodyTable's array of its kind.
+struct ShapeRef {
+    ShapeKind kind = ShapeKind::sphere;
+    int body = 0, shape = 0;
+};
+
 /// A body that shines: a visible light.
 struct Emitter {
     Color radiance;
@@ -63,6 +69,7 @@ struct World {
     std::vector<int> body_mapping;   ///< per body, index in `mappings` or -1; empty without textures
     std::vector<Mapping<Real>> mappings;
     std::vector<Emitter> emitters;
+    std::vector<ShapeRef> eye_media;  ///< bodies that refract and that the eye may be inside of
     MaterialTable materials;
     SharedTextures textures;
     LightTable<Real> lights;

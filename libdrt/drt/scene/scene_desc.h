@@ -171,6 +171,7 @@ struct Body {
     std::string material;
     std::optional<Motion> motion;
     std::optional<PhysicsDesc> physics;
+    int priority = 0;  ///< where bodies overlap or touch, the one of higher priority owns the place
     friend bool operator==(const Body&, const Body&) = default;
 };
 

@@ -155,6 +155,7 @@ void generate_stage(StageContext<Real>& c) {
     place_on_film(c);
     aim_rays(c);
     b.bounce = 0;
+    if (!b.media.empty()) std::fill_n(b.travelled.at(0), b.count, Real(0));
     std::fill(b.media_count.begin(), b.media_count.end(), 0);
     for (const TileBlock& block : c.pixels.blocks)
         c.counters->camera_rays += std::uint64_t(std::popcount(block.valid)) * std::uint64_t(c.samples);

@@ -99,7 +99,7 @@ void trace_shadow_rays(StageContext<Real>& c) {
     using F = typename P::F;
     using I = typename P::I;
     RayBatch<Real>& b = *c.batch;
-    constexpr Real almost = 1 - 8 * std::numeric_limits<Real>::epsilon();  // what the light touches does not hide it
+    const Departures<Real> rays_from = departures_of_rays(b), from = departures_of_shadow_rays(b, rays_from);
     for (int i = 0; i < b.count; i += P::width) {
         const Color3<F> light = load_color<F>(b.shadow.light, i);
         const auto active = max_component(light) > F(0);
@@ -109,10 +109,12 @@ void trace_shadow_rays(StageContext<Real>& c) {
         const I start = start::pack(load<I>(b.body.at(i)), load<I>(b.part.at(i)), load<I>(b.outward.at(i)));
         const RayPacket<Real> rays{load3<R>(b.p, i),
                                    load3<R>(b.shadow.d, i),
-                                   load<R>(b.shadow.distance.at(i)) * R(almost),
+                                   load<R>(b.shadow.distance.at(i)),
                                    load<F>(b.time.at(i)),
                                    start,
-                                   active};
+                                   active,
+                                   &from,
+                                   i};
         const auto blocked = c.world->accel->occluded(rays, load<I>(b.shadow.exclude.at(i)), c.counters->trace);
         add_radiance(b, i, active && !blocked, load_color<F>(b.throughput, i) * light);
     }

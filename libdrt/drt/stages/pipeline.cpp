@@ -58,6 +58,7 @@ template <class Real>
 Pipeline<Real> compose(const Features& f) {
     Pipeline<Real> p;
     p.first.push_back({StageKind::generate, generate_stage<Real>});
+    if (f.eye_media) p.first.push_back({StageKind::generate, eye_media_stage<Real>});
     p.bounce.push_back({StageKind::intersect, intersect_stage<Real>});
     p.bounce.push_back({StageKind::surface, surface_stage<Real>});
     p.bounce.push_back({StageKind::emit, emit_stage<Real>});

@@ -78,6 +78,10 @@ struct RayBatch {
     Column<std::uint32_t> hit_index;   ///< the same at the joint slot of the next hit's lights and lobe
     Column3<float> throughput;
     Column<float> footprint, spread;  ///< of the ray's cone: width at the origin, and growth per unit length
+    // of rays that start on a surface: how the path came there (accel.h)
+    Column3<Real> arrival;
+    Column<Real> travelled;
+    Column<std::int32_t> came_from;
 
     // hits
     Column<Real> t;
@@ -95,7 +99,7 @@ struct RayBatch {
     // paths, by slot: not compacted
     Column3<float> radiance;
     Column<float> alpha;
-    std::vector<std::int32_t> media;  ///< [capacity][slot]: bodies that the path is inside of, outermost first
+    std::vector<std::int32_t> media;  ///< [capacity][slot]: bodies that the path is inside of (media.h)
     std::vector<std::int32_t> media_count;
 
     explicit RayBatch(int media_capacity)
@@ -103,5 +107,26 @@ struct RayBatch {
           media(size_t(media_capacity) * batch_capacity),
           media_count(media_capacity > 0 ? batch_capacity : 0) {}
 };
+
+template <class Real>
+PathMedia path_media(const RayBatch<Real>& b) {
+    return {b.media.data(), b.media_count.empty() ? nullptr : b.media_count.data(), batch_capacity};
+}
+
+/// How the batch's rays left the surfaces where they start.
+template <class Real>
+Departures<Real> departures_of_rays(const RayBatch<Real>& b) {
+    return {b.arrival.x.at(0), b.arrival.y.at(0), b.arrival.z.at(0), b.travelled.at(0),
+            b.came_from.at(0), b.slot.at(0),      path_media(b)};
+}
+
+/// How shadow rays leave the batch's hits: the rays themselves are what arrived. `rays` is how those departed.
+template <class Real>
+Departures<Real> departures_of_shadow_rays(const RayBatch<Real>& b, const Departures<Real>& rays) {
+    // Camera rays start freely, and so never hop; but they may start anew where they pass through a surface.
+    const bool from_surfaces = b.bounce > 0 || !b.media.empty();
+    return {b.d.x.at(0),   b.d.y.at(0),  b.d.z.at(0),   b.t.at(0),
+            b.start.at(0), b.slot.at(0), path_media(b), from_surfaces ? &rays : nullptr};
+}
 
 }  // namespace drt

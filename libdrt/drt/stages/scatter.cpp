@@ -25,27 +25,26 @@ std::pair<typename Pack<Real>::R, typename Pack<Real>::R> indices_at(const World
                                                                      const typename Pack<Real>::Mask& lanes) {
     using R = typename Pack<Real>::R;
     R n1(1), n2(1);
-    const auto index_of = [&](int body) { return w.materials.refraction_index[size_t(w.body_material[size_t(body)])]; };
+    const auto index_of = [&](int body) {
+        return body == no_body ? 1.0f : w.materials.refraction_index[size_t(w.body_material[size_t(body)])];
+    };
     for (int l = 0; l < Pack<Real>::width; ++l) {
         if (!lane_bit(lanes, l)) continue;
         const MediaStack<Real> stack(b, b.slot[i + l]);
-        const Interface f = interface_at(stack, b.body[i + l], b.outward[i + l] != 0, index_of);
-        n1[l] = Real(f.n1);
-        n2[l] = Real(f.n2);
+        const Interface f = interface_at<Real>(stack, b.body[i + l], b.outward[i + l] != 0, w.bodies.roles);
+        n1[l] = Real(index_of(f.before));
+        n2[l] = Real(index_of(f.beyond));
     }
     return {n1, n2};
 }
 
 template <class Real>
-void cross_surfaces(RayBatch<Real>& b, int i, const typename Pack<Real>::Mask& lanes, RenderCounters& counters) {
+void cross_surfaces(const World<Real>& w, RayBatch<Real>& b, int i, const typename Pack<Real>::Mask& lanes,
+                    RenderCounters& counters) {
     for (int l = 0; l < Pack<Real>::width; ++l) {
         if (!lane_bit(lanes, l)) continue;
         MediaStack<Real> stack(b, b.slot[i + l]);
-        if (b.outward[i + l]) {  // met from outside: enters
-            if (!stack.push(b.body[i + l])) ++counters.media_overflows;
-        } else if (const int depth = stack.find(b.body[i + l]); depth >= 0) {
-            stack.erase(depth);
-        }
+        if (!cross<Real>(stack, b.body[i + l], b.outward[i + l] != 0, w.bodies.roles)) ++counters.media_overflows;
     }
 }
 
@@ -124,6 +123,7 @@ void scatter_stage(StageContext<Real>& c) {
     const World<Real>& w = *c.world;
     RayBatch<Real>& b = *c.batch;
     const int count_before = b.bounce < w.sampling.max_depth ? b.count : 0;
+    const Departures<Real> rays = departures_of_rays(b), arrivals = departures_of_shadow_rays(b, rays);
     int out = 0;
     for (int i = 0; i < count_before; i += P::width) {
         const I raw_material = load<I>(b.material.at(i));
@@ -143,7 +143,7 @@ void scatter_stage(StageContext<Real>& c) {
         const Vec3<R> n = load3<R>(b.n, i);
         const auto below = dot(d, n) < R(0);
         d = normalize(select(below != mask_cast<R>(dir.refracts), mirror(d, n), d));
-        if (w.features.refraction) cross_surfaces(b, i, live && dir.refracts, *c.counters);
+        if (w.features.refraction) cross_surfaces(w, b, i, live && dir.refracts, *c.counters);
         const I came_outward = load<I>(b.outward.at(i));
         const I leaves_outward = select(mask_cast<I>(dir.refracts), I(1) - came_outward, came_outward);
         const I start = start::pack(load<I>(b.body.at(i)), load<I>(b.part.at(i)), leaves_outward);
@@ -154,10 +154,13 @@ void scatter_stage(StageContext<Real>& c) {
             compress_store(mask_cast<V>(live), v, column.at(out));
         };
         const Vec3<R> p = load3<R>(b.p, i);
+        const Arrival<R> arrival = arrival_at<R>(arrivals, i, largest_coordinate(p));
         const F time = load<F>(b.time.at(i)), footprint = load<F>(b.footprint.at(i)), spread = load<F>(b.spread.at(i));
         const I slot = load<I>(b.slot.at(i));
         keep(b.o.x, p.x), keep(b.o.y, p.y), keep(b.o.z, p.z);
         keep(b.d.x, d.x), keep(b.d.y, d.y), keep(b.d.z, d.z);
+        keep(b.arrival.x, arrival.d.x), keep(b.arrival.y, arrival.d.y), keep(b.arrival.z, arrival.d.z);
+        keep(b.travelled, arrival.travelled), keep(b.came_from, arrival.came_from);
         keep(b.time, time), keep(b.footprint, footprint), keep(b.spread, spread);
         keep(b.start, start), keep(b.slot, slot);
         keep(b.key, samples.key), keep(b.index, samples.index);

@@ -10,7 +10,11 @@ namespace drt {
 template <class Real>
 void generate_stage(StageContext<Real>&);
 
-/// Nearest hits.
+/// The media in which camera rays begin: of scenes whose eye may be inside a body that refracts.
+template <class Real>
+void eye_media_stage(StageContext<Real>&);
+
+/// Nearest hits, through the surfaces that do not exist because another medium owns the place.
 template <class Real>
 void intersect_stage(StageContext<Real>&);
 
