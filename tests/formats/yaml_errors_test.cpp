@@ -344,14 +344,16 @@ const std::vector<Case> key_cases{
             "  - {type: shpere, material: m, radius: 3, foo: 1}\n",
      "bad.yaml:5:12: error: unknown type \"shpere\"; expected one of plane, sphere, triangle, rectangle, "
      "parallelogram, box, cylinder, disc, sphere_set; did you mean \"sphere\"?\n"
-     "bad.yaml:5:44: error: unknown key \"foo\"; expected a key of body: name, type, material, motion, physics, "
+     "bad.yaml:5:44: error: unknown key \"foo\"; expected a key of body: name, type, material, priority, motion, "
+     "physics, "
      "position, normal, center, radius, pole, meridian, vertex0, vertex1, vertex2, corner, edge0, edge1, size, "
      "orientation, from, to, capped, file"},
     {"key_of_another_shape",
      head + "materials: [{name: m}]\n"
             "bodies:\n"
             "  - {type: box, material: m, radius: 3}\n",
-     "bad.yaml:5:30: error: unknown key \"radius\"; expected a key of body box: name, type, material, motion, physics, "
+     "bad.yaml:5:30: error: unknown key \"radius\"; expected a key of body box: name, type, material, priority, "
+     "motion, physics, "
      "center, size, orientation"},
     {"missing_keys",
      head + "materials: [{}]\n"

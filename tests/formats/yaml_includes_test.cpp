@@ -127,6 +127,7 @@ TEST(YamlIncludes, MissingFilesAreAssetsNamedWhereTheyAreWanted) {
               "scene.yaml:2:11: error: cannot read the file (No such file or directory) \"nowhere.yaml\"\n"
               "scene.yaml:2:25: error: cannot read the file (it is a directory) \"\"\n"
               "scene.yaml:3:49: error: unknown key \"colour\"; expected a key of body sphere: name, type, material, "
+              "priority, "
               "motion, physics, center, radius, pole, meridian");
     EXPECT_EQ(errors_of(files, files.path("none.yaml"), ErrorKind::asset),
               "none.yaml: error: cannot read the file (No such file or directory)");

@@ -274,7 +274,7 @@ struct Fields<Body> {
         field("name", &Body::name, "", ranges::any, "for messages and tools; unique among the bodies", Role::name),
         alternatives("type", &Body::shape, "the shape"),
         required(field("material", &Body::material, "", ranges::any, "what it is made of", Role::material)),
-        field("priority", &Body::priority, "", Range{.low = -1000000, .high = 1000000},
+        field("priority", &Body::priority, "", Range{.low = -1000, .high = 1000},
               "where bodies overlap or touch, the higher one owns the place; of equal ones the smaller (planes last)"),
         implicit("at rest", field("motion", &Body::motion, "", ranges::any, "path of its centre, and its turning")),
         implicit("none", field("physics", &Body::physics, "", ranges::any, "part in the simulation")),
