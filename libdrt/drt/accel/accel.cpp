@@ -1,13 +1,18 @@
 #include "drt/accel/accel.h"
 
 #include <fmt/format.h>
+#if DRT_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
 
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "drt/accel/callbacks.h"
+#include "drt/accel/query.h"
 #include "drt/base/diagnostic.h"
 #include "drt/base/task_order.h"
 
@@ -19,6 +24,151 @@ using namespace accel_detail;
 
 // Coordinates above this make Debian's Embree 3.13.5 abort.
 constexpr double embree_limit = 1e18;
+
+// ---- Embree 3 and 4, packets of 4, 8 and 16 rays -------------------------------------------------------------------
+
+// Embree 4 renamed the context of a query and moved it into a struct of arguments.
+#if DRT_EMBREE_MAJOR >= 4
+using EmbreeContext = RTCRayQueryContext;
+constexpr auto init_context = rtcInitRayQueryContext;
+#else
+using EmbreeContext = RTCIntersectContext;
+constexpr auto init_context = rtcInitIntersectContext;
+#endif
+
+template <int width>
+struct EmbreePacket;
+template <>
+struct EmbreePacket<4> {
+    using RayHit = RTCRayHit4;
+    using Ray = RTCRay4;
+    static constexpr auto intersect = rtcIntersect4;
+    static constexpr auto occluded = rtcOccluded4;
+};
+template <>
+struct EmbreePacket<8> {
+    using RayHit = RTCRayHit8;
+    using Ray = RTCRay8;
+    static constexpr auto intersect = rtcIntersect8;
+    static constexpr auto occluded = rtcOccluded8;
+};
+template <>
+struct EmbreePacket<16> {
+    using RayHit = RTCRayHit16;
+    using Ray = RTCRay16;
+    static constexpr auto intersect = rtcIntersect16;
+    static constexpr auto occluded = rtcOccluded16;
+};
+
+template <int width>
+void embree_intersect(const int* valid, RTCScene scene, EmbreeContext& context,
+                      typename EmbreePacket<width>::RayHit& rays) {
+#if DRT_EMBREE_MAJOR >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    EmbreePacket<width>::intersect(valid, scene, &rays, &arguments);
+#else
+    EmbreePacket<width>::intersect(valid, scene, &context, &rays);
+#endif
+}
+
+template <int width>
+void embree_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
+                     typename EmbreePacket<width>::Ray& rays) {
+#if DRT_EMBREE_MAJOR >= 4
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    EmbreePacket<width>::occluded(valid, scene, &rays, &arguments);
+#else
+    EmbreePacket<width>::occluded(valid, scene, &context, &rays);
+#endif
+}
+
+// ---- callbacks ------------------------------------------------------------------------------------------------------
+
+// What a callback finds behind Embree's context pointer. Embree's own float copy of the rays only steers the traversal.
+template <class Real>
+struct EmbreeQuery {
+    EmbreeContext embree;
+    Query<Real> query;
+};
+
+template <class Real>
+Query<Real>& query_of(EmbreeContext* context) {
+    return reinterpret_cast<EmbreeQuery<Real>*>(context)->query;
+}
+
+// Embree culls by its float tfar: a little beyond the true distance, so that ties still reach the callback.
+template <class T>
+[[gnu::always_inline]] inline Rebind<T, float> culling_distance(const T& t) {
+    constexpr float slack = 1 + 8 * std::numeric_limits<float>::epsilon();
+    return num_cast<Rebind<T, float>>(t) * Rebind<T, float>(slack);
+}
+
+template <class Real>
+[[gnu::always_inline]] inline typename Pack<Real>::Mask valid_lanes(const int* valid) {
+    using I = typename Pack<Real>::I;
+    return mask_cast<typename Pack<Real>::F>(load<I>(valid) != I(0));
+}
+
+template <ShapeKind kind, bool moving, class Real>
+void intersect_callback(const RTCIntersectFunctionNArguments* args) {
+    using P = Pack<Real>;
+    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
+    Query<Real>& q = query_of<Real>(args->context);
+    const int body = g.group.first + int(args->primID);
+    RTCRayN* ray = RTCRayHitN_RayN(args->rayhit, args->N);
+    RTCHitN* hit = RTCRayHitN_HitN(args->rayhit, args->N);
+    if (args->N == unsigned(P::width)) {
+        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
+        if (!any(candidates)) return;
+        const auto took = nearest_in_lanes<kind, moving>(g, body, q, candidates);
+        if (!any(took)) return;
+        using F = typename P::F;
+        using U = typename P::U;
+        float* tfar = &RTCRayN_tfar(ray, args->N, 0);
+        store(select(took, culling_distance(q.hits->t), load<F>(tfar)), tfar);
+        unsigned* geom = &RTCHitN_geomID(hit, args->N, 0);
+        store(select(mask_cast<U>(took), U(args->geomID), load<U>(geom)), geom);
+        return;
+    }
+    // Embree fell back to single rays: find each one's lane by its id.
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (!args->valid[i]) continue;
+        const int l = int(RTCRayN_id(ray, args->N, i));
+        if (!nearest_in_lane<kind, moving>(g, body, q, l)) continue;
+        RTCRayN_tfar(ray, args->N, i) = culling_distance(lane(q.hits->t, l));
+        RTCHitN_geomID(hit, args->N, i) = args->geomID;
+    }
+}
+
+template <ShapeKind kind, bool moving, class Real>
+void occluded_callback(const RTCOccludedFunctionNArguments* args) {
+    using P = Pack<Real>;
+    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
+    Query<Real>& q = query_of<Real>(args->context);
+    const int body = g.group.first + int(args->primID);
+    constexpr float blocked = -std::numeric_limits<float>::infinity();
+    if (args->N == unsigned(P::width)) {
+        using F = typename P::F;
+        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
+        if (!any(candidates)) return;
+        const auto hits = blocked_lanes<kind, moving>(g, body, q) && candidates;
+        if (!any(hits)) return;
+        float* tfar = &RTCRayN_tfar(args->ray, args->N, 0);
+        store(select(hits, F(blocked), load<F>(tfar)), tfar);
+        return;
+    }
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (!args->valid[i]) continue;
+        const int l = int(RTCRayN_id(args->ray, args->N, i));
+        if (blocked_lane<kind, moving>(g, body, q, l)) RTCRayN_tfar(args->ray, args->N, i) = blocked;
+    }
+}
+
+// ---- queries --------------------------------------------------------------------------------------------------------
 
 template <class Real, class EmbreeRay>
 [[gnu::always_inline]] inline void fill_ray(EmbreeRay& e, const RayPacket<Real>& r,
@@ -220,8 +370,9 @@ void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, 
     const auto active = reject_bad(rays, counters);
     hits.t = rays.tmax;
     hits.body = I(no_body);
-    Query<Real> q;
-    init_context(&q.embree);
+    EmbreeQuery<Real> embree;
+    init_context(&embree.embree);
+    Query<Real>& q = embree.query;
     q.rays = &rays;
     q.hits = &hits;
     q.slack = slack_of(rays);
@@ -233,7 +384,7 @@ void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, 
         fill_ray(e.ray, rays, hits.t);
         store(typename P::U(RTC_INVALID_GEOMETRY_ID), e.hit.geomID);
         store(select(mask_cast<I>(active), I(-1), I(0)), valid);
-        embree_intersect<P::width>(valid, impl_->scene, q.embree, e);
+        embree_intersect<P::width>(valid, impl_->scene, embree.embree, e);
     }
 }
 
@@ -245,8 +396,9 @@ typename Pack<Real>::Mask Accel<Real>::occluded(const RayPacket<Real>& rays, con
     using I = typename P::I;
     using Embree = EmbreePacket<P::width>;
     auto active = reject_bad(rays, counters);
-    Query<Real> q;
-    init_context(&q.embree);
+    EmbreeQuery<Real> embree;
+    init_context(&embree.embree);
+    Query<Real>& q = embree.query;
     q.rays = &rays;
     q.slack = slack_of(rays);
     q.exclude = exclude;
@@ -257,7 +409,7 @@ typename Pack<Real>::Mask Accel<Real>::occluded(const RayPacket<Real>& rays, con
         alignas(64) int valid[P::width];
         fill_ray(e, rays, rays.tmax);
         store(select(mask_cast<I>(active), I(-1), I(0)), valid);
-        embree_occluded<P::width>(valid, impl_->scene, q.embree, e);
+        embree_occluded<P::width>(valid, impl_->scene, embree.embree, e);
         blocked = blocked || (active && load<F>(e.tfar) < F(0));
     }
     return blocked;

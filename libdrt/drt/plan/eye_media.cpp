@@ -17,13 +17,13 @@ Bounds bounds_of(std::span<const MotionPiece<double>> path, const Vec3d& half) {
     return b;
 }
 
-// A Bezier curve stays within the bounds of its control points.
+// A Chebyshev series leaves its first term by no more than the sum of the others.
 Bounds bounds_of_lens(const CameraModel<double>& c) {
-    const Vec3d half{c.lens.radius, c.lens.radius, c.lens.radius};
+    Vec3d half{c.lens.radius, c.lens.radius, c.lens.radius};
     if (!c.path.empty()) return bounds_of(c.path, half);
-    Bounds b;
-    for (const Vec3d& eye : c.eyes) b = unite(b, around(eye, half));
-    return b;
+    for (size_t k = 1; k < c.eye.size(); ++k)
+        half += Vec3d{std::abs(c.eye[k].x), std::abs(c.eye[k].y), std::abs(c.eye[k].z)};
+    return around(c.eye[0], half);
 }
 
 bool overlap(const Bounds& a, const Bounds& b) {

@@ -1,8 +1,7 @@
 #pragma once
-// What Embree calls for a body whose bounds a packet meets, and what does the same for infinite planes, which have no
-// bounds: nearest hits and visibility. Embree only finds candidates; the true rays meet them here.
+// The true rays of a query against one body: what nearest hits and visibility do with a candidate, whether Embree has
+// found it or it is an infinite plane.
 
-#include "drt/accel/embree_api.h"
 #include "drt/accel/meet.h"
 #include "drt/accel/order.h"
 
@@ -14,12 +13,10 @@ struct Group {
     BodyGroup group;
 };
 
-// What a callback finds behind Embree's context pointer: the true rays, in Real, and where hits go. Embree's own
-// float copy of the rays only steers the traversal.
+// The rays in Real, and where hits go.
 template <class Real>
 struct Query {
     using R = typename Pack<Real>::R;
-    EmbreeContext embree;
     const RayPacket<Real>* rays = nullptr;
     HitPacket<Real>* hits = nullptr;
     R slack;      // of the rays' origins
@@ -91,19 +88,6 @@ template <ShapeKind kind, bool moving, class Real, class Lanes, class T = typena
             return h;
         }
     }
-}
-
-// Embree culls by its float tfar: a little beyond the true distance, so that ties still reach the callback.
-template <class T>
-[[gnu::always_inline]] inline Rebind<T, float> culling_distance(const T& t) {
-    constexpr float slack = 1 + 8 * std::numeric_limits<float>::epsilon();
-    return num_cast<Rebind<T, float>>(t) * Rebind<T, float>(slack);
-}
-
-template <class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::Mask valid_lanes(const int* valid) {
-    using I = typename Pack<Real>::I;
-    return mask_cast<typename Pack<Real>::F>(load<I>(valid) != I(0));
 }
 
 // How long the normals of a shape's hits are.
@@ -195,37 +179,6 @@ bool nearest_in_lane(const Group<Real>& g, int body, Query<Real>& q, int i) {
     return true;
 }
 
-template <ShapeKind kind, bool moving, class Real>
-void intersect_callback(const RTCIntersectFunctionNArguments* args) {
-    using P = Pack<Real>;
-    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
-    auto& q = *reinterpret_cast<Query<Real>*>(args->context);
-    const int body = g.group.first + int(args->primID);
-    RTCRayN* ray = RTCRayHitN_RayN(args->rayhit, args->N);
-    RTCHitN* hit = RTCRayHitN_HitN(args->rayhit, args->N);
-    if (args->N == unsigned(P::width)) {
-        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
-        if (!any(candidates)) return;
-        const auto took = nearest_in_lanes<kind, moving>(g, body, q, candidates);
-        if (!any(took)) return;
-        using F = typename P::F;
-        using U = typename P::U;
-        float* tfar = &RTCRayN_tfar(ray, args->N, 0);
-        store(select(took, culling_distance(q.hits->t), load<F>(tfar)), tfar);
-        unsigned* geom = &RTCHitN_geomID(hit, args->N, 0);
-        store(select(mask_cast<U>(took), U(args->geomID), load<U>(geom)), geom);
-        return;
-    }
-    // Embree fell back to single rays: find each one's lane by its id.
-    for (unsigned i = 0; i < args->N; ++i) {
-        if (!args->valid[i]) continue;
-        const int l = int(RTCRayN_id(ray, args->N, i));
-        if (!nearest_in_lane<kind, moving>(g, body, q, l)) continue;
-        RTCRayN_tfar(ray, args->N, i) = culling_distance(lane(q.hits->t, l));
-        RTCHitN_geomID(hit, args->N, i) = args->geomID;
-    }
-}
-
 // ---- visibility --------------------------------------------------------------------------------------------------
 
 // Where a medium owns the place that a ray leaves from, surfaces of those that it outranks do not exist; and the ray
@@ -275,30 +228,6 @@ bool blocked_lane(const Group<Real>& g, int body, const Query<Real>& q, int i) {
            before_end(s, OneLane<Real>{q, i}.rays(), table.surface_error[size_t(body)],
                       normal_length<kind>(table, g.group, body)) &&
            (!table.roles[size_t(body)].refracts || exists_at_start(table, q, body, i));
-}
-
-template <ShapeKind kind, bool moving, class Real>
-void occluded_callback(const RTCOccludedFunctionNArguments* args) {
-    using P = Pack<Real>;
-    const auto& g = *static_cast<const Group<Real>*>(args->geometryUserPtr);
-    auto& q = *reinterpret_cast<Query<Real>*>(args->context);
-    const int body = g.group.first + int(args->primID);
-    constexpr float blocked = -std::numeric_limits<float>::infinity();
-    if (args->N == unsigned(P::width)) {
-        using F = typename P::F;
-        const auto candidates = valid_lanes<Real>(args->valid) && may_hit<kind>(q, body);
-        if (!any(candidates)) return;
-        const auto hits = blocked_lanes<kind, moving>(g, body, q) && candidates;
-        if (!any(hits)) return;
-        float* tfar = &RTCRayN_tfar(args->ray, args->N, 0);
-        store(select(hits, F(blocked), load<F>(tfar)), tfar);
-        return;
-    }
-    for (unsigned i = 0; i < args->N; ++i) {
-        if (!args->valid[i]) continue;
-        const int l = int(RTCRayN_id(args->ray, args->N, i));
-        if (blocked_lane<kind, moving>(g, body, q, l)) RTCRayN_tfar(args->ray, args->N, i) = blocked;
-    }
 }
 
 // ---- infinite planes ---------------------------------------------------------------------------------------------
