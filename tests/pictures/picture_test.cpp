@@ -14,7 +14,8 @@ void expect_same_as_reference(const PictureCase& picture, const PlanOptions& opt
                               int render_spp) {
     const SceneDesc& scene = picture.scene;
     const PictureEstimate expected =
-        render_reference(scene, picture.frame, scene.render.width, scene.render.height, reference_spp, /*seed=*/1);
+        render_reference(picture.reference_scene.value_or(scene), picture.frame, scene.render.width,
+                         scene.render.height, reference_spp, /*seed=*/1);
     PlanOptions plan = options;
     plan.frame = picture.frame;
     CompareOptions compare;

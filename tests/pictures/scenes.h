@@ -1,6 +1,7 @@
 #pragma once
 // Small scenes that together use every feature of the model, alone and combined.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct PictureCase {
     int reference_spp = 256;
     int render_spp = 128;
     double tolerance = 1e-7;  ///< of the mean of a block: what drt's texture filter blurs and the reference does not
+    /// What the reference renders, where it cannot render the scene as it stands.
+    std::optional<SceneDesc> reference_scene{};
 };
 
 /// Shapes, lights and surfaces. `texture_folder` must exist; textures are written there.

@@ -164,11 +164,59 @@ PictureCase inside_glass() {
     return picture;
 }
 
+/// The lens lies across the surfaces of nested media, one of them moved by its priority.
+PictureCase eye_in_media() {
+    PictureCase picture{"eye in media", simple_scene({0.05, 0.1, 1.95}, {-0.2, 0, -1}, 70)};
+    SceneDesc& scene = picture.scene;
+    scene.render.max_depth = 8;
+    scene.background = {0.3f, 0.5f, 0.7f};
+    scene.cameras[0].lens.aperture_radius = 0.25;
+    scene.cameras[0].lens.focus_start = 4;
+    add(scene, "pool", Plane{{0, 1, 0}, {0, 1, 0}}, glass(1.2, 0.95));
+    add(scene, "block", turned_box({0, 0, 0}, {3, 2, 4}, 15), glass(1.5, 0.95));
+    add(scene, "bubble", sphere({0.1, 0.2, 1.8}, 0.3), glass(1, 0.95));
+    add(scene, "drop", sphere({0.3, 0.2, 1.6}, 0.2), glass(1.8, 0.95));
+    scene.bodies.back().priority = -1;  // the bubble and the block own what they share with it
+    add(scene, "ball", sphere({-0.4, -0.2, -1}, 0.3), shiny({0.9f, 0.9f, 0.2f}));
+    add(scene, "outside", sphere({-2, 0, -6}, 1.5), glow("", {0.1f, 0.9f, 0.2f}));
+    return picture;
+}
+
+/// Glass on a table, glass on glass, a label on glass. `overlap`: how far what refracts reaches into what it touches.
+SceneDesc touching_scene(double overlap) {
+    SceneDesc scene = simple_scene({0.6, 2.4, 5.5}, {0, 0.8, 0});
+    scene.render.max_depth = 7;
+    scene.background = {0.3f, 0.45f, 0.6f};
+    scene.ambient_light = Color(0.5f);
+    const double e = overlap;
+    Material table = shiny({0.6f, 0.4f, 0.3f});
+    table.reflectance = 0.3;
+    add(scene, "table", Box{{0, -0.5, 0}, {8, 1, 6}, {}}, table);
+    add(scene, "base", Box{{-1, 0.3 - e, 0}, {1.6, 0.6 + 2 * e, 1.4}, {}}, glass(1.3, 0.95));
+    add(scene, "top", Cylinder{{-1, 0.6 - 2 * e, 0}, {-1, 1.7, 0}, 0.5, true}, glass(1.6, 0.95));
+    add(scene, "block", Box{{1.1, 0.6 - e, 0.2}, {1, 1.2 + 2 * e, 1}, {}}, glass(1.5, 0.95));
+    const auto label = [&](const std::string& name, double z) {
+        add(scene, name, Rectangle{{0.8, 0.4, z}, {1.4, 0.4, z}, {1.4, 0.8, z}}, shiny({0.9f, 0.8f, 0.1f}));
+    };
+    label("label", 0.7 + 2 * e);
+    if (e > 0) label("label's back", 0.7 - 2 * e);  // against the block's face on either side of it
+    scene.lights = {light("sun", PointLight{{3, 6, 5}}, Color(0.7f), Light::Falloff::none)};
+    return scene;
+}
+
+/// Contact is overlap: the reference, which knows no contact, renders bodies that reach a little into each other.
+PictureCase touching() {
+    PictureCase picture{"touching", touching_scene(0)};
+    picture.reference_scene = touching_scene(2e-5);
+    return picture;
+}
+
 }  // namespace
 
 std::vector<PictureCase> surface_pictures() {
-    return {shapes(),  glass_shapes(),      nested_glass(),      bubbles(),
-            mirrors(), glossy_reflection(), glossy_refraction(), inside_glass()};
+    return {shapes(),       glass_shapes(),      nested_glass(),      bubbles(),
+            mirrors(),      glossy_reflection(), glossy_refraction(), inside_glass(),
+            eye_in_media(), touching()};
 }
 
 }  // namespace drt

@@ -13,7 +13,14 @@ struct Surface {
     bool entering;  ///< the ray runs against the geometric normal
 };
 
-Rgb direct_light(const Instant& instant, const Surface& surface, const Ray& ray, const Rgb& diffuse, Random& random) {
+/// A surface that is not there casts no shadow; and no light gets out of the owner that hides it.
+bool casts_shadow(const Media& media, const WorldBody& body) {
+    const bool transparent = !body.light && body.material.refraction > 0;
+    return !transparent || owner_of(media) == &body || exists(media, body, true);
+}
+
+Rgb direct_light(const Instant& instant, const Surface& surface, const Ray& ray, const Rgb& diffuse, const Media& media,
+                 Random& random) {
     const Material& material = surface.body->material;
     Rgb sum;
     for (const Light& light : instant.world.scene.lights) {
@@ -21,7 +28,8 @@ Rgb direct_light(const Instant& instant, const Surface& surface, const Ray& ray,
         if (!sample) continue;
         const Vec3d to_light = normalize(sample->point - surface.point);
         const double cosine = dot(surface.normal, to_light);
-        if (cosine <= 0 || occluded(instant, surface.point, sample->point, &light)) continue;
+        const auto counts = [&](const WorldBody& body) { return casts_shadow(media, body); };
+        if (cosine <= 0 || occluded(instant, surface.point, sample->point, &light, counts)) continue;
         const Vec3d mirrored = surface.normal * (2 * cosine) - to_light;
         const double highlight = std::pow(std::max(0.0, -dot(mirrored, ray.direction)), material.shininess);
         sum += sample->intensity * (diffuse * cosine + Rgb(material.specular) * highlight);
@@ -43,36 +51,21 @@ Vec3d spread(const Vec3d& direction, double sigma_degrees, const Vec3d& normal, 
 
 Vec3d mirror(const Vec3d& direction, const Vec3d& normal) { return direction - normal * (2 * dot(direction, normal)); }
 
-Rgb reflected(const Instant& instant, const Surface& surface, const Ray& ray, int depth, const MediaStack& media,
+Rgb reflected(const Instant& instant, const Surface& surface, const Ray& ray, int depth, const Media& media,
               Random& random) {
     const Vec3d direction = spread(mirror(ray.direction, surface.normal),
                                    surface.body->material.reflection_spread_degrees, surface.normal, random);
     return radiance(instant, {surface.point, normalize(direction)}, depth + 1, media, random);
 }
 
-/// Past the surface the ray is in `body` if it enters; if it leaves, `body` is taken off the stack wherever it is.
-MediaStack media_beyond(const Surface& surface, MediaStack media) {
-    if (surface.entering) {
-        media.push_back(surface.body);
-        return media;
-    }
-    for (auto it = media.end(); it != media.begin();) {
-        if (*--it == surface.body) {
-            media.erase(it);
-            break;
-        }
-    }
-    return media;
-}
+double index_of(const WorldBody* medium) { return medium ? medium->material.refraction_index : 1.0; }
 
-double index_of(const MediaStack& media) { return media.empty() ? 1.0 : media.back()->material.refraction_index; }
-
-Rgb refracted(const Instant& instant, const Surface& surface, const Ray& ray, int depth, const MediaStack& media,
+Rgb refracted(const Instant& instant, const Surface& surface, const Ray& ray, int depth, const Media& media,
               Random& random) {
     const Material& material = surface.body->material;
-    const MediaStack beyond = media_beyond(surface, media);
-    const double index_before = surface.entering ? index_of(media) : material.refraction_index;
-    const double eta = index_before / index_of(beyond);
+    const Media after = beyond(media, *surface.body, surface.entering);
+    const WorldBody* left = surface.entering ? owner_of(media) : surface.body;
+    const double eta = index_of(left) / index_of(owner_of(after));
     const double c = dot(ray.direction, surface.normal);
     const double sine_squared = eta * eta * (1 - c * c);
     const bool total_reflection = sine_squared > 1;
@@ -80,7 +73,7 @@ Rgb refracted(const Instant& instant, const Surface& surface, const Ray& ray, in
                             ? mirror(ray.direction, surface.normal)
                             : ray.direction * eta - surface.normal * (eta * c + std::sqrt(1 - sine_squared));
     const Vec3d direction = spread(sharp, material.refraction_spread_degrees, surface.normal, random);
-    return radiance(instant, {surface.point, normalize(direction)}, depth + 1, total_reflection ? media : beyond,
+    return radiance(instant, {surface.point, normalize(direction)}, depth + 1, total_reflection ? media : after,
                     random);
 }
 
@@ -94,12 +87,14 @@ double sample_deviation(double sigma, Random& random) {
     }
 }
 
-Rgb radiance(const Instant& instant, const Ray& ray, int depth, const MediaStack& media, Random& random) {
+Rgb radiance(const Instant& instant, const Ray& ray, int depth, const Media& media, Random& random) {
     const auto hit = first_hit(instant, ray);
     if (!hit) return Rgb(instant.world.scene.background);
     if (hit->body->light) return emitted(*hit->body->light, ray.direction);
 
     const bool entering = dot(ray.direction, hit->normal) < 0;
+    if (hit->body->material.refraction > 0 && !exists(media, *hit->body, entering))
+        return radiance(instant, {hit->point, ray.direction}, depth, beyond(media, *hit->body, entering), random);
     const Surface surface{hit->body, hit->point, entering ? hit->normal : -hit->normal, entering};
     const Material& material = hit->body->material;
     const bool textured = hit->body->texture != nullptr;
@@ -108,7 +103,7 @@ Rgb radiance(const Instant& instant, const Ray& ray, int depth, const MediaStack
     const Rgb diffuse = textured ? texture : Rgb(material.diffuse);
 
     Rgb sum = Rgb(instant.world.scene.ambient_light) * ambient;
-    sum += direct_light(instant, surface, ray, diffuse, random);
+    sum += direct_light(instant, surface, ray, diffuse, media, random);
     if (depth >= instant.world.scene.render.max_depth) return sum;
     if (material.reflectance > 0) sum += reflected(instant, surface, ray, depth, media, random) * material.reflectance;
     if (material.refraction > 0) sum += refracted(instant, surface, ray, depth, media, random) * material.refraction;

@@ -28,7 +28,7 @@ Rgb sample_pixel(const Job& job, int x, int y, int width, int height, Random& ra
     const Ray ray =
         camera_ray(job.camera, video_time, x + 0.5 + filter.offset.x, y + 0.5 + filter.offset.y, width, height, random);
     const Instant instant(job.world, scene_time(job.camera, video_time));
-    return radiance(instant, ray, 0, {}, random) * filter.weight;
+    return radiance(instant, ray, 0, media_at(instant, ray.origin), random) * filter.weight;
 }
 
 void render_pixel(const Job& job, int x, int y, ReferencePicture& picture) {

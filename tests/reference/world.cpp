@@ -49,32 +49,13 @@ std::optional<Shape> body_of(const LightShape& light) {
 /// The surface that a ray leaves must not be hit again by rounding error.
 double skin(const Ray& ray) { return 1e-9 * std::max(1.0, length(ray.origin)); }
 
-std::optional<Hit> hit_body(const WorldBody& body, const Pose& pose, const Ray& ray) {
-    if (!body.motion) {
-        const auto hit = intersect(body.shape, ray, skin(ray));
-        if (!hit) return std::nullopt;
-        const Vec3d point = ray.origin + ray.direction * hit->distance;
-        return Hit{&body, hit->distance, point, hit->normal, point, hit->normal};
-    }
-    // Turn and shift the ray instead of the body.
-    const Ray described{center_of(body.shape) + rotate_back(pose.orientation, ray.origin - pose.position),
-                        rotate_back(pose.orientation, ray.direction)};
-    const auto hit = intersect(body.shape, described, skin(ray));
-    if (!hit) return std::nullopt;
-    return Hit{&body,
-               hit->distance,
-               ray.origin + ray.direction * hit->distance,
-               rotate(pose.orientation, hit->normal),
-               described.origin + described.direction * hit->distance,
-               hit->normal};
-}
-
 }  // namespace
 
 World::World(const SceneDesc& scene_) : scene(scene_) {
     for (const Body& body : scene.bodies) {
         WorldBody resolved;
         resolved.motion = body.motion ? &*body.motion : nullptr;
+        resolved.priority = body.priority;
         resolved.material = find_by_name(scene.materials, body.material);
         if (!resolved.material.texture.empty())
             resolved.texture = load(find_by_name(scene.textures, resolved.material.texture));
@@ -97,6 +78,26 @@ Instant::Instant(const World& world_, double time) : world(world_) {
     for (const WorldBody& body : world.bodies) poses.push_back(body.motion ? pose_at(*body.motion, time) : Pose{});
 }
 
+std::optional<Hit> hit_body(const WorldBody& body, const Pose& pose, const Ray& ray) {
+    if (!body.motion) {
+        const auto hit = intersect(body.shape, ray, skin(ray));
+        if (!hit) return std::nullopt;
+        const Vec3d point = ray.origin + ray.direction * hit->distance;
+        return Hit{&body, hit->distance, point, hit->normal, point, hit->normal};
+    }
+    // Turn and shift the ray instead of the body.
+    const Ray described{center_of(body.shape) + rotate_back(pose.orientation, ray.origin - pose.position),
+                        rotate_back(pose.orientation, ray.direction)};
+    const auto hit = intersect(body.shape, described, skin(ray));
+    if (!hit) return std::nullopt;
+    return Hit{&body,
+               hit->distance,
+               ray.origin + ray.direction * hit->distance,
+               rotate(pose.orientation, hit->normal),
+               described.origin + described.direction * hit->distance,
+               hit->normal};
+}
+
 std::optional<Hit> first_hit(const Instant& instant, const Ray& ray) {
     std::optional<Hit> nearest;
     for (size_t i = 0; i < instant.poses.size(); ++i) {
@@ -106,12 +107,13 @@ std::optional<Hit> first_hit(const Instant& instant, const Ray& ray) {
     return nearest;
 }
 
-bool occluded(const Instant& instant, const Vec3d& from, const Vec3d& to, const Light* light) {
+bool occluded(const Instant& instant, const Vec3d& from, const Vec3d& to, const Light* light,
+              const std::function<bool(const WorldBody&)>& counts) {
     const double distance = length(to - from);
     const Ray ray{from, (to - from) / distance};
     for (size_t i = 0; i < instant.poses.size(); ++i) {
         const WorldBody& body = instant.world.bodies[i];
-        if (body.light && body.light == light) continue;
+        if ((body.light && body.light == light) || !counts(body)) continue;
         const auto hit = hit_body(body, instant.poses[i], ray);
         if (hit && hit->distance < distance * (1 - 1e-9)) return true;
     }
