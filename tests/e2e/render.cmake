@@ -1,7 +1,7 @@
 drt_add_test(test_render_app SOURCES render_frames_test.cpp render_options_test.cpp LIBRARIES drt_render_app)
 
 drt_add_test(test_e2e_render
-  SOURCES render_frame_files_test.cpp render_output_test.cpp render_picture_test.cpp render_programs.cpp
+  SOURCES render_contact_test.cpp render_frame_files_test.cpp render_output_test.cpp render_picture_test.cpp render_programs.cpp
     render_scene_errors_test.cpp render_stop_test.cpp render_terminal_test.cpp render_time_test.cpp render_usage_test.cpp
   ROOMS image LIBRARIES drt_apps test_process OpenEXR::OpenEXR)
 target_compile_definitions(test_e2e_render PRIVATE
