@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "drt/sampling/shutter.h"
 #include "drt/stages/stages.h"
@@ -110,6 +111,20 @@ template <class Real>
     return camera_ray<true>(view, w.camera.film, w.camera.lens, position, {num_cast<R>(u.x), num_cast<R>(u.y)});
 }
 
+// How wide the cone of a camera ray is at distance 1: as wide as what n samples of a pixel leave between each other,
+// 1 / sqrt(n) pixels, where n is not how many there will be, but how many there were until this one and its like in the
+// other replicate. So pictures of few samples have no more aliasing than those are worth, and the mean converges to the
+// texture as the pixel filter sees it (docs/images-and-textures.md). The cosine is of the angle to the view's axis, as
+// pixels off the axis are further away. Without a filter all samples lie in one place: each stands for the whole pixel.
+template <class Real>
+typename Pack<Real>::F cone_spread(const StageContext<Real>& c, int sample, const typename Pack<Real>::R& pixel_size,
+                                   const typename Pack<Real>::R& cosine) {
+    using F = typename Pack<Real>::F;
+    if (c.world->filter.spec.kind == FilterKind::point) return num_cast<F>(pixel_size);
+    const float n = 2 * float(index_in_replicate(c.first_sample + std::uint32_t(sample))) + 1;
+    return num_cast<F>(pixel_size * cosine) * F(1 / std::sqrt(n));
+}
+
 template <class Real>
 void aim_rays(const StageContext<Real>& c) {
     using P = Pack<Real>;
@@ -119,8 +134,6 @@ void aim_rays(const StageContext<Real>& c) {
     const World<Real>& w = *c.world;
     RayBatch<Real>& b = *c.batch;
     View<R> view = cast<R>(w.view);
-    const bool point = w.filter.spec.kind == FilterKind::point;
-    const F spread(float(w.view.pixel_size) * (point ? 1.0f : 0.5f));  // docs/images-and-textures.md
     for (int i = 0; i < b.count; i += P::width) {
         const GroupSamples<F> samples = path_samples(b, i);
         F time(0);
@@ -136,8 +149,9 @@ void aim_rays(const StageContext<Real>& c) {
         if (w.features.time) store(time, b.time.at(i));  // else 0, as the batch was made
         store(I(start::none), b.start.at(i));
         store(at_slot(w.sampling.kind, samples, hit_dim(0)).index, b.hit_index.at(i));
+        if (!w.features.textures) continue;
         store(F(0), b.footprint.at(i));
-        store(spread, b.spread.at(i));
+        store(cone_spread(c, i / c.pixels.count(), view.pixel_size, dot(ray.d, view.forward)), b.spread.at(i));
     }
 }
 

@@ -77,7 +77,7 @@ struct RayBatch {
     Column<std::uint32_t> key, index;  ///< the path's sample set
     Column<std::uint32_t> hit_index;   ///< the same at the joint slot of the next hit's lights and lobe
     Column3<float> throughput;
-    Column<float> footprint, spread;  ///< of the ray's cone: width at the origin, and growth per unit length
+    Column<float> footprint, spread;  ///< of the ray's cone: width at the origin, growth per length; if textured
     // of rays that start on a surface: how the path came there (accel.h)
     Column3<Real> arrival;
     Column<Real> travelled;

@@ -155,13 +155,17 @@ void scatter_stage(StageContext<Real>& c) {
         };
         const Vec3<R> p = load3<R>(b.p, i);
         const Arrival<R> arrival = arrival_at<R>(arrivals, i, largest_coordinate(p));
-        const F time = load<F>(b.time.at(i)), footprint = load<F>(b.footprint.at(i)), spread = load<F>(b.spread.at(i));
+        const F time = load<F>(b.time.at(i));
         const I slot = load<I>(b.slot.at(i));
         keep(b.o.x, p.x), keep(b.o.y, p.y), keep(b.o.z, p.z);
         keep(b.d.x, d.x), keep(b.d.y, d.y), keep(b.d.z, d.z);
         keep(b.arrival.x, arrival.d.x), keep(b.arrival.y, arrival.d.y), keep(b.arrival.z, arrival.d.z);
         keep(b.travelled, arrival.travelled), keep(b.came_from, arrival.came_from);
-        keep(b.time, time), keep(b.footprint, footprint), keep(b.spread, spread);
+        keep(b.time, time);
+        if (w.features.textures) {
+            const F footprint = load<F>(b.footprint.at(i)), spread = load<F>(b.spread.at(i));
+            keep(b.footprint, footprint), keep(b.spread, spread);
+        }
         keep(b.start, start), keep(b.slot, slot);
         keep(b.key, samples.key), keep(b.index, samples.index);
         keep(b.hit_index, at_slot(w.sampling.kind, samples, hit_dim(b.bounce + 1)).index);

@@ -27,10 +27,11 @@ void surface_stage(StageContext<Real>& c) {
         store3(load3<R>(b.o, i) + d * t, b.p, i);
         store3(select(outward, ng, -ng), b.n, i);
         store(select(mask_cast<I>(outward), I(1), I(0)), b.outward.at(i));
-        const F width = load<F>(b.footprint.at(i)) + load<F>(b.spread.at(i)) * num_cast<F>(t);
-        store(width, b.footprint.at(i));
         Color3<F> albedo = gather_color<F>(w.materials.diffuse, max(material, I(0)));
-        if (w.features.textures) albedo = texture_color(w, b, i, material, albedo);
+        if (w.features.textures) {
+            store(load<F>(b.footprint.at(i)) + load<F>(b.spread.at(i)) * num_cast<F>(t), b.footprint.at(i));
+            albedo = texture_color(w, b, i, material, albedo);
+        }
         store_color(albedo, b.albedo, i);
     }
 }
