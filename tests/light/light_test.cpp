@@ -20,14 +20,7 @@ constexpr double inv_pi = 1 / pi<double>;
 
 template <class Real>
 RectLightData<Real> rect(const Vec3d& corner, const Vec3d& x, const Vec3d& y, bool two_sided = false) {
-    RectLightData<Real> l;
-    l.color = Color(1.0f);
-    l.inverse_square = true;
-    l.corner = Vec3<Real>(corner), l.edge_x = Vec3<Real>(x), l.edge_y = Vec3<Real>(y);
-    l.normal = Vec3<Real>(normalize(cross(x, y)));
-    l.area = Real(length(cross(x, y)));
-    l.two_sided = two_sided;
-    return l;
+    return cast<Real>(make_rect_light({Color(1.0f), true, -1}, corner, x, y, two_sided));
 }
 
 template <class Real>

@@ -33,8 +33,7 @@ public:
     }
     void add_rect(LightTable<double>& t, const Vec3d& corner, const Vec3d& x, const Vec3d& y, double radiance,
                   bool two_sided = false) {
-        const Vec3d n = cross(x, y);
-        t.rects.push_back({common(radiance), corner, x, y, normalize(n), length(n), two_sided});
+        t.rects.push_back(make_rect_light(common(radiance), corner, x, y, two_sided));
     }
     /// Of any kind, within a cube.
     void add_any(LightTable<double>& t, double half, double size, double strength) {
@@ -92,7 +91,8 @@ inline std::vector<LightSet> light_sets() {
         r.add_any(one, 5, 1, 1);
         for (auto l : one.points) l.position += Vec3d{1e4, 0, 0}, t.points.push_back(l);
         for (auto l : one.spheres) l.center += Vec3d{1e4, 0, 0}, t.spheres.push_back(l);
-        for (auto l : one.rects) l.corner += Vec3d{1e4, 0, 0}, t.rects.push_back(l);
+        for (auto l : one.rects)
+            t.rects.push_back(make_rect_light(l, l.corner + Vec3d{1e4, 0, 0}, l.edge_x, l.edge_y, l.two_sided));
     });
     return sets;
 }

@@ -60,6 +60,7 @@ Features expected_features(Combination c) {
     f.refraction = c.has(refraction);
     f.scatter = c.has(reflection) || c.has(refraction);
     f.glossy = c.has(glossy);
+    f.lobe_lights = c.has(glossy) && c.has(reflection) && c.has(visible_light);
     f.double_precision = true;
     return f;
 }

@@ -130,6 +130,67 @@ PictureCase many_visible_lights() {
     return picture;
 }
 
+/// Lamps at a fraction of their size from what they light: rectangles and parallelograms, one hanging low over the
+/// floor, one standing on it, one that shines to both sides.
+PictureCase near_rectangles() {
+    PictureCase picture{"near rectangles", shadow_scene()};
+    const auto rect = [](const Vec3d& corner, const Vec3d& x, const Vec3d& y, bool two_sided) {
+        RectLight l;
+        l.corner = corner;
+        l.edge_x = x;
+        l.edge_y = y;
+        l.two_sided = two_sided;
+        return l;
+    };
+    picture.scene.lights = {
+        light("low", rect({-3, 0.05, 0.8}, {2, 0, 0}, {0.5, 0, 1.5}, false), Color(0.4f)),
+        light("low", rect({0.8, 0.02, 1.0}, {1.5, 0, 0}, {0, 0.01, 1.2}, false), {0.6f, 0.3f, 0.2f}),
+        light("wall", rect({-2.5, 0, -1.5}, {5, 0, 0}, {0.3, 2, 0}, true), {0.2f, 0.3f, 0.6f}),
+        light("tube", rect({-2, 1.75, 0}, {0.02, 0, 0}, {0, 0, 3}, true), Color(9.0f)),
+        light("ceiling", rect({-40, 2.5, -40}, {80, 0, 0}, {0, 0, 80}, false), {0.2f, 0.2f, 0.1f})};
+    return picture;
+}
+
+/// Dull mirrors of several spreads under visible lights of several sizes: found by light samples and by the lobes.
+PictureCase glossy_reflections_of_lights() {
+    PictureCase picture{"glossy reflections of visible lights", shadow_scene()};
+    SceneDesc& scene = picture.scene;
+    picture.reference_spp = 512;
+    scene.render.max_depth = 2;
+    const double spreads[] = {12, 3, 40, 0};
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
+        scene.materials[i].reflectance = 0.6;
+        scene.materials[i].reflection_spread_degrees = spreads[i % 4];
+    }
+    scene.materials[2].refraction = 0.3;
+    scene.materials[2].refraction_index = 1.3;
+    scene.materials[2].refraction_spread_degrees = 5;
+    RectLight panel = lamp({0.3, 2.4, -0.6}, 0.8);
+    RectLight both = lamp({-2.2, 1.2, -1}, 0.6);
+    both.two_sided = true;
+    scene.lights = {light("panel", panel, {6, 5, 4}), light("both", both, {2, 6, 3}),
+                    light("ball", bulb({1.9, 0.5, 1}, 0.25, Distribution::uniform), {8, 6, 9}),
+                    light("radial", bulb({-0.3, 0.3, 1.6}, 0.2, Distribution::radial), {5, 2, 3})};
+    for (Light& l : scene.lights) l.visible = true;
+    return picture;
+}
+
+/// A dull mirror among so many visible lights that a tree chooses, in a visible ball around it all.
+PictureCase glossy_reflections_of_many_lights() {
+    PictureCase picture = many_visible_lights();
+    picture.name = "glossy reflections of many lights";
+    SceneDesc& scene = picture.scene;
+    scene.bodies[0].shape = Disc{{0, 0, 0}, {0, 1, 0}, 5};
+    Light around = light("around", bulb({0, 0, 0}, 30, Distribution::uniform), {0.1f, 0.2f, 0.3f});
+    around.visible = true;
+    scene.lights.push_back(around);
+    for (Material& m : scene.materials) {
+        m.reflectance = 0.4;
+        m.reflection_spread_degrees = 20;
+    }
+    return picture;
+}
+
 }  // namespace
 
 std::vector<PictureCase> light_pictures() {
@@ -148,6 +209,9 @@ std::vector<PictureCase> light_pictures() {
         inside_a_light(),
         many_lights(),
         many_visible_lights(),
+        near_rectangles(),
+        glossy_reflections_of_lights(),
+        glossy_reflections_of_many_lights(),
     };
 }
 

@@ -93,6 +93,15 @@ const std::vector<Toggle> toggles{
          s.render.max_depth = 0;
      },
      {}},
+    {"glossy mirror and visible light",
+     [](SceneDesc& s) {
+         s.materials[0].reflectance = 0.5;
+         s.materials[0].reflection_spread_degrees = 3;
+         s.lights = {light("l", SphereLight{{0, 5, 0}, 1}, Color(1.0f))};
+         s.lights[0].visible = true;
+     },
+     {&Features::scatter, &Features::glossy, &Features::lights, &Features::light_samples, &Features::visible_lights,
+      &Features::lobe_lights}},
     {"glossy mirror",
      [](SceneDesc& s) {
          s.materials[0].reflectance = 0.5;

@@ -35,9 +35,20 @@ struct Sampler {
         return sample(point, projected_area / (distance * distance));
     }
 
+    /// Uniform over all directions: what is seen to shine all around lights from all around.
+    std::optional<LightSample> sample_inside(const SphereLight& s) const {
+        const double cosine = random.between(-1, 1), azimuth = random.between(0, 2 * pi);
+        const double sine = std::sqrt(1 - cosine * cosine);
+        const Vec3d direction{sine * std::cos(azimuth), sine * std::sin(azimuth), cosine}, to_center = s.center - from;
+        const double along = dot(to_center, direction);
+        const double off_axis2 = length_squared(to_center) - along * along;
+        const double reach = along + std::sqrt(std::max(0.0, s.radius * s.radius - off_axis2));
+        return sample(from + direction * reach, 4 * pi);
+    }
+
     std::optional<LightSample> operator()(const SphereLight& s) const {
         const double distance = length(s.center - from);
-        if (distance <= s.radius) return std::nullopt;  // black inside: the surface shines outwards
+        if (distance <= s.radius) return light.visible ? sample_inside(s) : std::nullopt;  // else it shines outwards
         const Vec3d axis = (s.center - from) / distance;
         Vec3d x, y;
         perpendiculars(axis, x, y);

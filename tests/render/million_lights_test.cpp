@@ -1,4 +1,4 @@
-// Very many lights: a few are asked at each hit, chosen by power.
+// Very many lights without falloff: a few are asked at each hit, chosen by power.
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include "drt/base/constants.h"
 #include "drt/base/frame.h"
 #include "drt/light/light_table.h"
+#include "drt/sampling/spherical_triangle.h"
 #include "drt/sampling/warps.h"
 
 namespace drt {
@@ -66,6 +67,9 @@ template <class T>
 
 }  // namespace light_detail
 
+// light_pdf is the density of sample_light at p for the direction wi that meets the light at a distance, per steradian;
+// 0 where the samples have none.
+
 /// The irradiance is unbounded as the light is approached; 1e30 of the intensity keeps it finite.
 template <class T>
 [[gnu::always_inline]] inline LightSample<T> sample_light(const PointLightData<T>& l, const Vec3<T>& p,
@@ -81,18 +85,111 @@ template <class T>
     return s;
 }
 
-/// Uniform over the rectangle.
+template <class T>
+[[gnu::always_inline]] inline Rebind<T, float> light_pdf(const PointLightData<T>&, const Vec3<T>&, const Vec3<T>&,
+                                                         const T&) {
+    return 0;
+}
+
+// ---- rectangles ----------------------------------------------------------------------------------------------------
+
+namespace light_detail {
+
+/// A parallelogram as two spherical triangles in a fan about its corner, (x, corner, xy) and (xy, corner, y): what is
+/// uniform in both is continuous from the one to the other.
+template <class T>
+struct RectView {
+    SphericalTriangle<T> first, second;
+    T height;  ///< of p above the light's plane, on the side of its normal
+    T solid_angle() const { return first.area + second.area; }
+};
+
+/// In double, whatever T: under a ceiling a thousand times as wide as it is high, two corners are so nearly opposite
+/// that directions in float would be off by a percent of the light. Only near lights pay for it.
+template <class T>
+[[gnu::always_inline]] inline RectView<Rebind<T, double>> view_rect(const RectLightData<T>& l, const Vec3<T>& p) {
+    using D = Rebind<T, double>;
+    using std::abs;
+    const Vec3<D> o = Vec3<D>(l.corner) - Vec3<D>(p), edge_y(l.edge_y);
+    const Vec3<D> x = o + Vec3<D>(l.edge_x), y = o + edge_y, xy = x + edge_y;
+    const D inverse_o = inverse_sqrt(dot(o, o)), inverse_x = inverse_sqrt(dot(x, x));
+    const D inverse_y = inverse_sqrt(dot(y, y)), inverse_xy = inverse_sqrt(dot(xy, xy));
+    const D height = -dot(o, Vec3<D>(l.normal));
+    // The determinant of three corners is the same for both: the volume of the prism over the parallelogram.
+    const D det = abs(height) * num_cast<D>(l.area) * inverse_o * inverse_xy;
+    const Vec3<D> to_o = o * inverse_o, to_xy = xy * inverse_xy;
+    return {spherical_triangle(x * inverse_x, to_o, to_xy, D(det * inverse_x)),
+            spherical_triangle(to_xy, to_o, y * inverse_y, D(det * inverse_y)), height};
+}
+
+/// Seen edge-on, a rectangle is left to its area: hardly anything comes from there, and directions lose their digits.
+template <class T>
+[[gnu::always_inline]] inline MaskOf<T> by_solid_angle(const RectLightData<T>& l, const Vec3<T>& p) {
+    return length_squared(l.center - p) < l.near2;
+}
+template <class T>
+[[gnu::always_inline]] inline MaskOf<T> wide_enough(const RectView<T>& v) {
+    return v.solid_angle() > T(1e-3f);
+}
+
+/// Uniform over the solid angle.
+template <class T>
+[[gnu::always_inline]] inline LightSample<T> sample_view(const RectLightData<T>& l,
+                                                         const RectView<Rebind<T, double>>& v, const Vec2<T>& u) {
+    using F = Rebind<T, float>;
+    using D = Rebind<T, double>;
+    using std::abs;
+    const D solid_angle = v.solid_angle(), at = num_cast<D>(u.x) * solid_angle;
+    const auto in_first = at < v.first.area;
+    const Vec3<D> wi = normalize(uniform_spherical_triangle(
+        select(in_first, v.first, v.second), D(at - select(in_first, D(0), v.first.area)), num_cast<D>(u.y)));
+    LightSample<T> s;
+    s.wi = Vec3<T>(wi);
+    s.distance = num_cast<T>(D(abs(v.height / dot(wi, Vec3<D>(l.normal)))));
+    s.radiance = l.color;
+    s.pdf = num_cast<F>(D(D(1) / solid_angle));
+    s.is_delta = MaskOf<F>(false);
+    const auto above = mask_cast<F>(v.height > D(0)), below = mask_cast<F>(v.height < D(0));
+    s.lit = above || (mask_cast<F>(l.two_sided) && below);
+    return s;
+}
+
+}  // namespace light_detail
+
+/// Uniform over the area; within the longer diagonal of the centre over the solid angle, as the area would send nearly
+/// all samples to where they count little. Without falloff always over the area.
 template <class T>
 [[gnu::always_inline]] inline LightSample<T> sample_light(const RectLightData<T>& l, const Vec3<T>& p,
                                                           const Vec2<T>& u) {
     using F = Rebind<T, float>;
+    using namespace light_detail;
     using std::abs;
-    LightSample<T> s = light_detail::towards(p, l.corner + l.edge_x * u.x + l.edge_y * u.y);
+    LightSample<T> s = towards(p, l.corner + l.edge_x * u.x + l.edge_y * u.y);
     const T cosine = -dot(s.wi, l.normal);
     const T facing = select(l.two_sided, abs(cosine), max(cosine, T(0)));
-    light_detail::set_radiance(s, l, s.distance * (s.distance / (facing * l.area)), mask_cast<F>(facing > T(0)));
-    return s;
+    set_radiance(s, l, s.distance * (s.distance / (facing * l.area)), mask_cast<F>(facing > T(0)));
+    const auto near = by_solid_angle(l, p);
+    if (!any(near)) return s;
+    const auto view = view_rect(l, p);
+    return select(mask_cast<F>(near) && mask_cast<F>(wide_enough(view)), sample_view(l, view, u), s);
 }
+
+/// Where wi meets the light at the distance.
+template <class T>
+[[gnu::always_inline]] inline Rebind<T, float> light_pdf(const RectLightData<T>& l, const Vec3<T>& p, const Vec3<T>& wi,
+                                                         const T& distance) {
+    using F = Rebind<T, float>;
+    using namespace light_detail;
+    using std::abs;
+    const T over_area = distance * (distance / (abs(dot(wi, l.normal)) * l.area));
+    const auto near = by_solid_angle(l, p);
+    if (!any(near)) return num_cast<F>(over_area);
+    const auto view = view_rect(l, p);
+    const F over_solid_angle = F(1) / num_cast<F>(view.solid_angle());
+    return select(mask_cast<F>(near) && mask_cast<F>(wide_enough(view)), over_solid_angle, num_cast<F>(over_area));
+}
+
+// ---- spheres -------------------------------------------------------------------------------------------------------
 
 namespace light_detail {
 
@@ -109,44 +206,67 @@ template <class T>
     return s;
 }
 
-/// Uniform over the cone of directions to the sphere.
+/// 1 - cos of the cone of directions in which the sphere is seen from the distance d: all directions from inside.
 template <class T>
-[[gnu::always_inline]] inline LightSample<T> sample_cone(const SphereLightData<T>& l, const Frame<T>& frame, const T& d,
-                                                         const Vec2<T>& u) {
+[[gnu::always_inline]] inline T visible_cap(const SphereLightData<T>& l, const T& d) {
+    return select(d > l.radius, one_minus_cos_from_sin(T(l.radius / d)), T(2));
+}
+
+/// Uniform over the directions in which the sphere is seen. From outside they meet its near side.
+template <class T>
+[[gnu::always_inline]] inline LightSample<T> sample_visible(const SphereLightData<T>& l, const Frame<T>& frame,
+                                                            const T& d, const Vec2<T>& u) {
     using F = Rebind<T, float>;
     using std::sqrt;
-    const T sin_max = l.radius / d;
-    const LocalDirection<T> cone = uniform_cone(u, sin_max);
+    const T cap = visible_cap(l, d);
+    const LocalDirection<T> cone = uniform_cap(u, cap);
     const T sin2 = cone.one_minus_cos * (T(2) - cone.one_minus_cos);
+    const T half_chord = sqrt(max(l.radius * l.radius - d * d * sin2, T(0)));
     LightSample<T> s;
     s.wi = frame.to_world(cone.direction);
-    s.distance = d * (T(1) - cone.one_minus_cos) - sqrt(max(l.radius * l.radius - d * d * sin2, T(0)));
+    s.distance = d * (T(1) - cone.one_minus_cos) + select(d > l.radius, -half_chord, half_chord);
     s.is_delta = MaskOf<F>(false);
     s.lit = MaskOf<F>(true);
-    const T solid_angle = cone_solid_angle(sin_max);
-    set_radiance(s, l, T(1) / solid_angle, mask_cast<F>(solid_angle > T(0)));
+    set_radiance(s, l, T(T(1 / (2 * pi<ScalarOf<T>>)) / cap), mask_cast<F>(cap > T(0)));
     return s;
 }
 
 }  // namespace light_detail
 
+/// Inside, a visible sphere is seen to shine, and so it lights; an invisible one shines outwards only.
 template <class T>
 [[gnu::always_inline]] inline LightSample<T> sample_light(const SphereLightData<T>& l, const Vec3<T>& p,
                                                           const Vec2<T>& u) {
     using F = Rebind<T, float>;
-    const LightSample<T> axis = light_detail::towards(p, l.center);
-    const Frame<T> frame = frame_around(axis.wi);
+    using I = Rebind<T, std::int32_t>;
+    using namespace light_detail;
+    const LightSample<T> axis = towards(p, l.center);
+    const auto off_center = mask_cast<T>(axis.lit);
+    const T d = select(off_center, axis.distance, T(0));
+    const Frame<T> frame = frame_around(select(off_center, axis.wi, Vec3<T>{T(0), T(0), T(1)}));
+    const auto outside = d > l.radius;
+    const auto radial = l.radial && outside;
     LightSample<T> s;
-    if (!any(l.radial))
-        s = light_detail::sample_cone(l, frame, axis.distance, u);
-    else if (all(l.radial))
-        s = light_detail::sample_radial(l, p, frame, axis.distance, u);
+    if (!any(radial))
+        s = sample_visible(l, frame, d, u);
+    else if (all(radial))
+        s = sample_radial(l, p, frame, d, u);
     else
-        s = select(mask_cast<F>(l.radial), light_detail::sample_radial(l, p, frame, axis.distance, u),
-                   light_detail::sample_cone(l, frame, axis.distance, u));
-    s.lit = s.lit && mask_cast<F>(axis.distance > l.radius);  // inside the bulb its surface shines away from us
+        s = select(mask_cast<F>(radial), sample_radial(l, p, frame, d, u), sample_visible(l, frame, d, u));
+    s.lit = s.lit && (mask_cast<F>(outside) || mask_cast<F>(l.body >= I(0)));
     return s;
 }
+
+template <class T>
+[[gnu::always_inline]] inline Rebind<T, float> light_pdf(const SphereLightData<T>& l, const Vec3<T>& p, const Vec3<T>&,
+                                                         const T&) {
+    using F = Rebind<T, float>;
+    const T d = length(l.center - p);
+    const T pdf = T(1 / (2 * pi<ScalarOf<T>>)) / light_detail::visible_cap(l, d);
+    return num_cast<F>(select(l.radial && d > l.radius, T(0), pdf));
+}
+
+// ---- any kind ------------------------------------------------------------------------------------------------------
 
 /// A light of its own for every lane.
 template <class T>

@@ -55,13 +55,16 @@ Features find_features(const SceneDesc& scene, const PreparedScene& p) {
                    return (m->reflectance > 0 && m->reflection_spread_degrees > 0) ||
                           (m->refraction > 0 && m->refraction_spread_degrees > 0);
                });
+    f.lobe_lights =
+        deep && any([](const Material* m) { return m->reflectance > 0 && m->reflection_spread_degrees > 0; }) &&
+        std::any_of(p.emitters.begin(), p.emitters.end(), [](const Emitter& e) { return e.light != no_light; });
     return f;
 }
 
 Features keep_everything(Features f) {
     f.pixel_filter = f.lens = f.time = f.moving_camera = f.planes = f.textures = true;
     f.visible_lights = f.lights = f.light_samples = f.specular = true;
-    f.scatter = f.refraction = f.nested_media = f.eye_media = f.glossy = true;
+    f.scatter = f.refraction = f.nested_media = f.eye_media = f.glossy = f.lobe_lights = true;
     return f;
 }
 
@@ -98,6 +101,8 @@ Explanation explain(const SceneDesc& scene, const PreparedScene& p, const Featur
         fmt::format("found for every camera sample among {} bodies", p.eye_media.size()),
         f.refraction ? "the lens is outside of every body that refracts" : "nothing refracts");
     say("glossy lobes", f.glossy, "some lobe has a spread", "every lobe is sharp");
+    say("lights in glossy reflections", f.lobe_lights, "light samples and lobe rays share visible lights",
+        "no glossy reflection of a visible light");
     say("double precision", f.double_precision, double_reason.empty() ? "asked for" : double_reason,
         "float is exact enough for every body and pixel");
     return out;

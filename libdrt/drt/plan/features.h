@@ -38,6 +38,7 @@ struct Features {
     OptionalFeature nested_media = false;  ///< several bodies refract: they may overlap
     OptionalFeature eye_media = false;     ///< the eye may be inside a body that refracts
     OptionalFeature glossy = false;        ///< some lobe is not sharp
+    OptionalFeature lobe_lights = false;   ///< glossy reflections may meet lights that are sampled, too
     bool double_precision = false;
     friend bool operator==(const Features&, const Features&) = default;
 };

@@ -76,9 +76,7 @@ void add_light(PreparedScene& p, const Light& light) {
     if (const auto* l = std::get_if<PointLight>(&light.shape)) {
         add(LightKind::point, p.lights.points, PointLightData<double>{common, l->position});
     } else if (const auto* r = std::get_if<RectLight>(&light.shape)) {
-        const Vec3d n = cross(r->edge_x, r->edge_y);
-        add(LightKind::rect, p.lights.rects,
-            RectLightData<double>{common, r->corner, r->edge_x, r->edge_y, normalize(n), length(n), r->two_sided});
+        add(LightKind::rect, p.lights.rects, make_rect_light(common, r->corner, r->edge_x, r->edge_y, r->two_sided));
     } else if (const auto* s = std::get_if<SphereLight>(&light.shape)) {
         const bool radial = s->distribution == SphereLight::Distribution::radial;
         add(LightKind::sphere, p.lights.spheres, SphereLightData<double>{common, s->center, s->radius, radial});
@@ -94,7 +92,7 @@ void recenter(PreparedScene& p) {
         for (MotionPiece<double>& piece : b.path) move(piece.c0);
     }
     for (auto& l : p.lights.points) move(l.position);
-    for (auto& l : p.lights.rects) move(l.corner);
+    for (auto& l : p.lights.rects) move(l.corner), move(l.center);
     for (auto& l : p.lights.spheres) move(l.center);
     // A plane is the same wherever on it its centre lies; the nearest place has the smallest rounding. (Textures start
     // from the centre.)

@@ -26,6 +26,8 @@ int add_lobe(LobeTables& tables, double sigma) {
             tables.inverse, [sigma](double t) { return unnormalised(t, sigma); }, length));
     }
     tables.sigma.push_back(sigma);
+    tables.falloff.push_back(sigma == 0 ? 0.0f : float(-0.5 / (sigma * sigma)));
+    tables.scale.push_back(sigma == 0 ? 0.0f : float(1 / (2 * pi<double> * tables.integral.back())));
     return int(tables.sigma.size()) - 1;
 }
 

@@ -15,8 +15,9 @@ namespace drt {
 /// The lobes of a scene's materials, packed so that every lane may use another one.
 struct LobeTables {
     InverseCdfs inverse;
-    std::vector<double> sigma;     ///< radians
-    std::vector<double> integral;  ///< of exp(-theta^2 / (2 sigma^2)) cos(theta) over [0, pi/2)
+    std::vector<double> sigma;          ///< radians
+    std::vector<double> integral;       ///< of exp(-theta^2 / (2 sigma^2)) cos(theta) over [0, pi/2)
+    std::vector<float> falloff, scale;  ///< -1 / (2 sigma^2) and 1 / (2 pi integral), for lobe_density
 };
 
 /// The number of the lobe of this sigma (radians, >= 0; 0 = perfectly sharp), added if it is new. Costs about 0.2 ms
@@ -34,6 +35,20 @@ template <class T>
 double lobe_pdf_theta(const LobeTables&, int lobe, double theta);
 /// The same per steradian: lobe_pdf_theta / (2 pi sin(theta)); infinite at theta = 0.
 double lobe_pdf(const LobeTables&, int lobe, double theta);
+
+/// lobe_pdf for lanes, each with a lobe of its own, from the squared distance of two unit vectors, the direction and
+/// the lobe's axis, which keeps its digits near the axis. There, where the density is infinite, a very large number.
+template <class T>
+[[gnu::always_inline]] inline T lobe_density(const LobeTables& tables, const Rebind<T, std::int32_t>& lobe,
+                                             const T& chord2) {
+    using std::sqrt;
+    const T theta = T(2) * fast_asin(T(sqrt(chord2) * T(0.5f)));
+    const T sine = sqrt(max(T(chord2 * (T(1) - chord2 * T(0.25f))), T(0)));
+    const T cosine = max(T(T(1) - chord2 * T(0.5f)), T(0));
+    const T scale = gather_coherent<T>(tables.scale.data(), lobe);
+    const T falloff = gather_coherent<T>(tables.falloff.data(), lobe);
+    return scale * cosine * fast_exp(T(falloff * theta * theta)) / max(sine, T(1e-15f));
+}
 
 /// The unit direction at angle theta from frame.z, azimuth u in turns: normalize(z + (cos x + sin y) tan(theta)).
 template <class T>

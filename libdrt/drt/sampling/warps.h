@@ -61,16 +61,22 @@ template <class T>
     return T(2 * pi<ScalarOf<T>>) * one_minus_cos_from_sin(sin_max);
 }
 
-/// Uniform over the cone around z with half angle asin(sin_max) <= pi/2: the directions from a point to a sphere of
-/// radius r at distance d, sin_max = r/d. The concentric disc lifted to the cap: 1 - cos grows with the disc's area.
+/// Uniform over the directions around z with 1 - cos <= cap <= 2: density 1 / (2 pi cap). The concentric disc lifted to
+/// the cap: 1 - cos grows with the disc's area.
 template <class T>
-[[gnu::always_inline]] inline LocalDirection<T> uniform_cone(const Vec2<T>& u, const T& sin_max) {
+[[gnu::always_inline]] inline LocalDirection<T> uniform_cap(const Vec2<T>& u, const T& cap) {
     using std::sqrt;
-    const T cap = one_minus_cos_from_sin(sin_max);
     const Vec2<T> disc = uniform_disc(u);
     const T w = (disc.x * disc.x + disc.y * disc.y) * cap;
     const T stretch = sqrt(max(T(cap * (T(2) - w)), T(0)));  // sin(theta) / disc radius
     return {{disc.x * stretch, disc.y * stretch, T(1) - w}, w};
+}
+
+/// Uniform over the cone around z with half angle asin(sin_max) <= pi/2: the directions from a point to a sphere of
+/// radius r at distance d, sin_max = r/d.
+template <class T>
+[[gnu::always_inline]] inline LocalDirection<T> uniform_cone(const Vec2<T>& u, const T& sin_max) {
+    return uniform_cap(u, one_minus_cos_from_sin(sin_max));
 }
 
 /// A direction around local z with density (n + 1) / (2 pi) cos^n, n >= 0: a Phong lobe; n = 0 the uniform, n = 1 the

@@ -1,9 +1,23 @@
+#include "drt/light/light_choice.h"
+#include "drt/light/light_sample.h"
 #include "drt/stages/accumulate.h"
+#include "drt/stages/glossy_lights.h"
 #include "drt/stages/stages.h"
 
 namespace drt {
 
 namespace {
+
+// How much of a light that the ray meets counts: the rest is what the samples of the light found at the hit before.
+template <class Real>
+float lobe_weight(const World<Real>& w, const RayBatch<Real>& b, int ray, LightId light) {
+    const float density = b.lobe.density[ray];
+    if (density <= 0 || light == no_light) return 1;
+    const Vec3<Real> p{b.o.x[ray], b.o.y[ray], b.o.z[ray]}, wi{b.d.x[ray], b.d.y[ray], b.d.z[ray]};
+    const Vec3f n{b.lobe.n.x[ray], b.lobe.n.y[ray], b.lobe.n.z[ray]};
+    const float pdf = visit_light(w.lights, light, [&](const auto& l) { return light_pdf(l, p, wi, b.t[ray]); });
+    return power_heuristic(density, pdf * samples_of(w.lights, light, p, n));
+}
 
 // Visible lights in the packet: what they send back along the rays that hit them. They are rare, so lane by lane.
 template <class Real>
@@ -15,9 +29,10 @@ Color3<typename Pack<Real>::F> emitted(const World<Real>& w, const RayBatch<Real
         if (body < 0 || w.body_emitter[size_t(body)] < 0) continue;
         const Emitter& e = w.emitters[size_t(w.body_emitter[size_t(body)])];
         if (!e.two_sided && !b.outward[i + l]) continue;
-        out.r[l] = e.radiance.r;
-        out.g[l] = e.radiance.g;
-        out.b[l] = e.radiance.b;
+        const float weight = w.features.lobe_lights && b.bounce > 0 ? lobe_weight(w, b, i + l, e.light) : 1.0f;
+        out.r[l] = e.radiance.r * weight;
+        out.g[l] = e.radiance.g * weight;
+        out.b[l] = e.radiance.b * weight;
     }
     return out;
 }

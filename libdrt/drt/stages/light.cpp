@@ -2,6 +2,7 @@
 #include "drt/light/light_sample.h"
 #include "drt/material/phong.h"
 #include "drt/stages/accumulate.h"
+#include "drt/stages/glossy_lights.h"
 #include "drt/stages/stages.h"
 
 namespace drt {
@@ -48,7 +49,7 @@ template <class Real>
 // A sample of a light (each lane may have a light of its own) for packet i: into the batch's shadow rays, with the
 // light that arrives. It is one of `samples` that are taken of the light in the mean.
 template <class Real>
-[[gnu::always_inline]] inline void store_sample(RayBatch<Real>& b, int i,
+[[gnu::always_inline]] inline void store_sample(const Features& features, RayBatch<Real>& b, int i,
                                                 const LightSample<typename Pack<Real>::R>& sample,
                                                 const typename Pack<Real>::I& body,
                                                 const typename Pack<Real>::F& samples) {
@@ -63,9 +64,30 @@ template <class Real>
     store3(sample.wi, b.shadow.d, i);
     store(sample.distance, b.shadow.distance.at(i));
     store(body, b.shadow.exclude.at(i));
+    if (features.lobe_lights) {
+        const auto met_by_lobes = !sample.is_delta && mask_cast<F>(body >= I(0));
+        store(select(met_by_lobes, sample.pdf * samples, F(0)), b.shadow.density.at(i));
+    }
 }
 
-// Turns the light that arrives at packet i into the light that is reflected by Phong's terms. False if there is none.
+// What the glossy reflection makes of the light samples of packet i, as a factor of I_l = radiance / (pi density).
+template <class Real>
+[[gnu::always_inline]] inline typename Pack<Real>::F glossy_factor(const World<Real>& w, const RayBatch<Real>& b,
+                                                                   int i) {
+    using R = typename Pack<Real>::R;
+    using F = typename Pack<Real>::F;
+    using I = typename Pack<Real>::I;
+    const F density = load<F>(b.shadow.density.at(i));
+    const auto known = density > F(0);
+    if (!any(known)) return F(0);
+    const auto lobe = reflection_lobe(w, b, i, max(load<I>(b.material.at(i)), I(0)));
+    const F along = density_along(w, lobe, load3<R>(b.shadow.d, i));
+    const F weight = power_heuristic(select(known, density, F(1)), F(lobe.choice * along));
+    return select(known, F(pi<float>) * lobe.reflectance * along * weight, F(0));
+}
+
+// Turns the light that arrives at packet i into the light that is reflected by Phong's terms, and by the glossy
+// reflection where its rays go on. False if there is none.
 template <class Real>
 [[gnu::always_inline]] inline bool shade_packet(const World<Real>& w, RayBatch<Real>& b, int i) {
     using P = Pack<Real>;
@@ -87,6 +109,7 @@ template <class Real>
             f += phong_specular(phong, n, wi, -Vec3<F>(load3<R>(b.d, i)), cosine);
         }
     }
+    if (w.features.lobe_lights && b.bounce < w.sampling.max_depth) f += Color3<F>(glossy_factor(w, b, i));
     store_color(f * light, b.shadow.light, i);
     return true;
 }
@@ -139,7 +162,7 @@ void ask_light(StageContext<Real>& c, const Kind<Real>& l, DimId dimension) {
     const Kind<R> light = cast<R>(l);
     for (int i = 0; i < b.count; i += Pack<Real>::width) {
         const Vec2<R> u = has_area ? light_point(c, i, dimension) : Vec2<R>{};
-        store_sample(b, i, sample_light(light, load3<R>(b.p, i), u), light.body, F(1));
+        store_sample(c.world->features, b, i, sample_light(light, load3<R>(b.p, i), u), light.body, F(1));
     }
     shade_and_trace(c);
 }
@@ -155,7 +178,7 @@ void ask_drawn_lights(StageContext<Real>& c, const LightDraws& draws, DimId dime
         const I id = load<I>(draws.light.at(i));
         const Vec2<R> u = c.world->features.light_samples ? light_point(c, i, dimension) : Vec2<R>{};
         const PickedSample<R> picked = sample_picked(c.world->lights, id, load3<R>(b.p, i), u);
-        store_sample(b, i, picked.sample, picked.body, load<F>(draws.samples.at(i)));
+        store_sample(c.world->features, b, i, picked.sample, picked.body, load<F>(draws.samples.at(i)));
     }
     shade_and_trace(c);
 }

@@ -56,6 +56,7 @@ struct ShadowRays {
     Column3<Real> d;
     Column<Real> distance;         ///< to the light
     Column<std::int32_t> exclude;  ///< the light's own body
+    Column<float> density;         ///< of the light's samples there, per steradian; 0: no lobe could hit it
     Column3<float> light;          ///< what arrives and is reflected if nothing is in the way; 0: no ray
 };
 
@@ -63,6 +64,13 @@ struct ShadowRays {
 struct LightDraws {
     Column<std::int32_t> light;  ///< its id, or no_light
     Column<float> samples;       ///< how many are taken of it at this hit in the mean
+};
+
+/// Where a glossy reflection came from, by ray number: what a visible light that it meets is weighed with. Only kept by
+/// scenes with Features::lobe_lights, from the first bounce on.
+struct LobeOrigins {
+    Column<float> density;  ///< of the ray's direction, per steradian; 0: no light sample could have taken it
+    Column3<float> n;       ///< the normal there, on the ray's side
 };
 
 template <class Real>
@@ -94,6 +102,7 @@ struct RayBatch {
     Column<std::int32_t> outward;   ///< 1: the ray came from the side that ng points to
     Column3<float> albedo;          ///< diffuse colour, textured or not
     ShadowRays<Real> shadow;
+    LobeOrigins lobe;
     std::array<LightDraws, 4> drawn;
 
     // paths, by slot: not compacted

@@ -1,4 +1,5 @@
 #include "drt/sampling/lobe.h"
+#include "drt/stages/glossy_lights.h"
 #include "drt/stages/media.h"
 #include "drt/stages/stages.h"
 
@@ -12,6 +13,7 @@ struct Directions {
     Vec3<typename P::R> d;      // the new direction, before its lobe
     typename P::I lobe;         // index of its glossy lobe, or sharp
     typename P::Mask refracts;  // it crosses the surface
+    typename P::Mask reflects;  // by choice, not by total internal reflection
 };
 
 template <class R>
@@ -61,7 +63,7 @@ Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i
     using std::sqrt;
     const Vec3<R> d = load3<R>(b.d, i), n = load3<R>(b.n, i);
     Directions<Real> out{mirror(d, n), gather_coherent<I>(w.materials.reflection_lobe.data(), material),
-                         typename P::Mask(false)};
+                         typename P::Mask(false), typename P::Mask(true)};
     if (w.features.refraction) {
         const F kr = gather_coherent<F>(w.materials.reflectance.data(), material);
         const F kt = gather_coherent<F>(w.materials.refraction.data(), material);
@@ -78,6 +80,7 @@ Directions<Real> choose_direction(const World<Real>& w, RayBatch<Real>& b, int i
         out.lobe =
             select(mask_cast<I>(through), gather_coherent<I>(w.materials.refraction_lobe.data(), material), out.lobe);
         out.refracts = crosses;
+        out.reflects = !through;
     }
     return out;
 }
@@ -147,6 +150,11 @@ void scatter_stage(StageContext<Real>& c) {
         const I came_outward = load<I>(b.outward.at(i));
         const I leaves_outward = select(mask_cast<I>(dir.refracts), I(1) - came_outward, came_outward);
         const I start = start::pack(load<I>(b.body.at(i)), load<I>(b.part.at(i)), leaves_outward);
+        F lobe_density(0);
+        if (w.features.lobe_lights) {
+            const auto lobe = reflection_lobe(w, b, i, material);
+            lobe_density = select(dir.reflects, lobe.choice * density_along(w, lobe, d), F(0));
+        }
 
         // Stable compaction in place: `out` never overtakes the packet at hand, which is in registers from here on.
         const auto keep = [&](auto& column, const auto& v) {
@@ -169,6 +177,10 @@ void scatter_stage(StageContext<Real>& c) {
         keep(b.start, start), keep(b.slot, slot);
         keep(b.key, samples.key), keep(b.index, samples.index);
         keep(b.hit_index, at_slot(w.sampling.kind, samples, hit_dim(b.bounce + 1)).index);
+        if (w.features.lobe_lights) {
+            keep(b.lobe.density, lobe_density);
+            keep(b.lobe.n.x, num_cast<F>(n.x)), keep(b.lobe.n.y, num_cast<F>(n.y)), keep(b.lobe.n.z, num_cast<F>(n.z));
+        }
         keep(b.throughput.x, throughput.r), keep(b.throughput.y, throughput.g), keep(b.throughput.z, throughput.b);
         out += count(live);
     }
