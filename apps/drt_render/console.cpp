@@ -70,6 +70,8 @@ void Console::note(const std::string& line) {
     if (!quiet_) print_line(line);
 }
 
+void Console::alert(const std::string& line) { print_line(line); }
+
 void Console::verbose(const std::string& line) {
     if (verbose_ && !quiet_) print_line(line);
 }
@@ -120,34 +122,52 @@ std::string stages_line(const RenderResult& r) {
     return out;
 }
 
-std::string faults(const RenderCounters& c) {
-    std::string out;
-    if (c.film.nonfinite > 0)
-        out += fmt::format("\nwarning: {} non-finite samples dropped, the first at pixel {},{} sample {}",
-                           c.film.nonfinite, c.film.first_nonfinite_x, c.film.first_nonfinite_y,
-                           c.film.first_nonfinite_sample);
-    if (c.film.clamped > 0)
-        out += fmt::format("\nwarning: {} samples brighter than {} were clamped", c.film.clamped, sample_limit);
-    if (c.trace.rejected > 0) out += fmt::format("\nwarning: {} rays were not traceable", c.trace.rejected);
-    if (c.media_overflows > 0)
-        out += fmt::format("\nwarning: {} times a path was inside more bodies than its media stack holds",
-                           c.media_overflows);
-    return out;
+std::string error_line(const RenderResult& r) {
+    switch (r.known_of()) {
+        case PictureKnown::nothing_hit:
+            return ", no ray hit anything: all of the picture is background";
+        case PictureKnown::all_dropped:
+            return ", every sample was dropped: the picture shows nothing";
+        case PictureKnown::one_replicate:
+            return "";
+        case PictureKnown::error_at_least:
+        case PictureKnown::error:
+            break;
+    }
+    return fmt::format(", estimated error {}{:.3g} % (RMSE {:.3g})", r.error.at_least ? "at least " : "",
+                       100 * r.error.relative, r.error.rmse);
 }
 
 }  // namespace
 
+std::vector<std::string> faults(const RenderResult& r) {
+    std::vector<std::string> out;
+    const RenderCounters& c = r.counters;
+    const auto lost = [&](const LostSamples& l, std::string_view what, std::string_view counts_as) {
+        if (l.count > 0)
+            out.push_back(fmt::format("warning: {} {} samples count as {}, the first at pixel {},{} sample {}", l.count,
+                                      what, counts_as, l.first_x, l.first_y, l.first_sample));
+    };
+    lost(c.film.nonfinite, "non-finite", "black");
+    lost(c.film.overflowed, "too bright", "3.4e38");
+    if (c.cut_paths > 0)
+        out.push_back(fmt::format("warning: {} times a path was brightened beyond 3.4e38 and cut", c.cut_paths));
+    if (c.trace.rejected > 0) out.push_back(fmt::format("warning: {} rays were not traceable", c.trace.rejected));
+    if (c.media_overflows > 0)
+        out.push_back(fmt::format("warning: {} times a path was inside more bodies than its media stack holds",
+                                  c.media_overflows));
+    return out;
+}
+
 std::string summary(const RenderResult& r, bool verbose) {
     std::string out = fmt::format("{}: {} spp in {:.2f} s", describe(r.stopped_by), r.spp_done, r.seconds);
-    if (r.error.valid)
-        out += fmt::format(", estimated error {:.3g} % (RMSE {:.3g})", 100 * r.error.relative, r.error.rmse);
-    out += '\n' + rays_line(r);
+    out += error_line(r) + '\n' + rays_line(r);
     const auto mb = [](std::size_t bytes) { return double(bytes) * 1e-6; };
     const MemoryEstimate& m = r.memory;
     out += fmt::format("\nmemory: {:.1f} MB (scene {:.1f}, film {:.1f}, picture {:.1f}, batches {:.1f})", mb(m.total()),
                        mb(m.scene), mb(m.film), mb(m.picture), mb(m.batches));
     if (verbose) out += '\n' + stages_line(r);
-    return out + faults(r.counters);
+    return out;
 }
 
 }  // namespace drt

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "drt/render/render.h"
 #include "options.h"
@@ -21,6 +22,7 @@ public:
     /// Warnings always (unless quiet), notes when verbose; each once, though every frame may have it.
     void print(const Diagnostics&);
     void note(const std::string& line);     ///< unless quiet
+    void alert(const std::string& line);    ///< always, quiet or not
     void verbose(const std::string& line);  ///< when verbose
 
     void progress(const Progress&);
@@ -40,5 +42,8 @@ std::string explain_text(const Explanation&);
 
 /// Samples, estimated error, rays by kind, rays per second, time per stage, memory.
 std::string summary(const RenderResult&, bool verbose);
+
+/// A warning for each kind of thing that is wrong with the picture.
+std::vector<std::string> faults(const RenderResult&);
 
 }  // namespace drt

@@ -129,6 +129,7 @@ void render_frame(const Job& job, int frame) {
     }
     write_outputs(job, info, result);
     job.console.note(summary(result, a.verbose));
+    for (const std::string& fault : faults(result)) job.console.alert(fault);
 }
 
 void run_frames(const Job& job) {

@@ -148,7 +148,7 @@ void add_run_options(CLI::App& app, RenderArguments& a, Texts& t) {
     app.add_option("--progress", t.progress, "auto (default), bar, plain or none")
         ->check(CLI::IsMember({"auto", "bar", "plain", "none"}))
         ->option_text("auto|bar|plain|none");
-    app.add_flag("-q,--quiet", a.quiet, "Print errors only");
+    app.add_flag("-q,--quiet", a.quiet, "Print errors only, and what is wrong with a picture");
     app.add_flag("-v,--verbose", a.verbose, "Print notes and per-stage times");
     app.set_version_flag("--version", fmt::format("drt-render {} ({})", version(), build_isa()));
 }
@@ -166,7 +166,7 @@ void add_options(CLI::App& app, RenderArguments& a, Texts& t) {
 
 void take_numbers(RenderArguments& a, const Texts& t) {
     Overrides& o = a.overrides;
-    if (t.spp) o.spp = to_number(*t.spp, 1, 1 << 24, "--spp");
+    if (t.spp) o.spp = to_number(*t.spp, 1, largest_spp, "--spp");
     if (t.seed) o.seed = to_number<std::uint32_t>(*t.seed, 0, ~std::uint32_t(0), "--seed");
     if (t.max_depth) o.max_depth = to_number(*t.max_depth, 0, largest_depth, "--max-depth");
     if (t.threads) a.threads = to_number(*t.threads, 0, 1024, "--threads");

@@ -106,10 +106,12 @@ Metadata common_metadata(const OutputInfo& info, int spp, double seconds) {
 
 Metadata metadata(const OutputInfo& info, const RenderResult& r) {
     Metadata m = common_metadata(info, r.spp_done, r.seconds);
-    if (r.error.valid) {
+    const PictureKnown known = r.known_of();
+    if (known == PictureKnown::error || known == PictureKnown::error_at_least) {
         m.emplace_back("drt:rmse", float(r.error.rmse));
         m.emplace_back("drt:relativeError", float(r.error.relative));
     }
+    m.emplace_back("drt:errorEstimate", std::string(describe(known)));
     return m;
 }
 

@@ -32,8 +32,8 @@ std::optional<Snapshot> frame_snapshot(const RenderArguments&, int frame);
 FileSet check_outputs(const RenderArguments&);
 
 /// drt:version, drt:isa, drt:precision, drt:sceneHash, drt:spp, drt:seed, drt:frame, drt:videoTime, drt:sceneTime and
-/// drt:sceneTimeClose (when the shutter opens and closes, in the scene's seconds), drt:renderSeconds, and, when known,
-/// drt:rmse and drt:relativeError.
+/// drt:sceneTimeClose (when the shutter opens and closes, in the scene's seconds), drt:renderSeconds, and,
+/// drt:errorEstimate (what is known of the error) and, if it is a number, drt:rmse and drt:relativeError.
 Metadata metadata(const OutputInfo&, const RenderResult&);
 
 /// Writes the picture so far whenever the interval has passed.

@@ -257,7 +257,7 @@ const std::vector<Case> number_cases{
     {"fraction", head + "render: {width: 10.5}\n",
      "bad.yaml:3:17: error: width is not a whole number \"10.5\"; expected an integer >= 1 and <= 65536"},
     {"beyond_int", head + "render: {spp: 1e10}\n",
-     "bad.yaml:3:15: error: spp is out of range \"1e10\"; expected an integer >= 1 and <= 2147483647"},
+     "bad.yaml:3:15: error: spp is out of range \"1e10\"; expected an integer >= 1 and <= 16777216"},
     {"negative_seed", head + "render: {seed: -1}\n",
      "bad.yaml:3:16: error: seed is out of range \"-1\"; expected an integer >= 0 and <= 4294967295"},
     {"seed_too_large", head + "render: {seed: 4294967296}\n",
@@ -324,7 +324,7 @@ const std::vector<Case> key_cases{
      "bad.yaml:3:10: error: unknown key \"widht\"; expected a key of render; did you mean \"width\"?\n"
      "bad.yaml:3:21: error: unknown key \"spq\"; expected a key of render; did you mean \"spp\"?\n"
      "bad.yaml:3:29: error: unknown key \"antialiasing\"; expected a key of render: width, height, fps, spp, seed, "
-     "max_depth, filter"},
+     "max_depth, filter, transparent_background"},
     {"unknown_section", head + "matrials: []\n",
      "bad.yaml:3:1: error: unknown key \"matrials\"; expected a key of scene; did you mean \"materials\"?"},
     {"prefix_of_key",
@@ -541,7 +541,7 @@ const std::vector<Case> value_cases{
      "cameras:\n"
      "  - fov_degrees: 180\n",
      "bad.yaml:3:3: error: unknown key \"widht\"; expected a key of render; did you mean \"width\"?\n"
-     "bad.yaml:4:8: error: spp is not a number \"many\"; expected an integer >= 1\n"
+     "bad.yaml:4:8: error: spp is not a number \"many\"; expected an integer >= 1 and <= 16777216\n"
      "bad.yaml:7:16: error: shininess is out of range \"-3\"; expected a number >= 0\n"
      "bad.yaml:10:15: error: unknown material \"rde\"; expected the name of a material; did you mean \"red\"?\n"
      "bad.yaml:11:13: error: radius is not a number \"1,5\"; expected a number > 0; did you mean \"1.5\"?\n"

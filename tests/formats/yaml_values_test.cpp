@@ -253,8 +253,8 @@ TEST(HostileYaml, ManyFaultsAreCounted) {
 
 TEST(HostileYaml, LongTextsAreCutInMessages) {
     const std::string message = first_error_of("drt: 1\ncameras: [{}]\nrender: {spp: " + repeat("x", 100000) + "}\n");
-    EXPECT_EQ(message,
-              "bad.yaml:3:15: error: spp is not a number \"" + repeat("x", 60) + "...\"; expected an integer >= 1");
+    EXPECT_EQ(message, "bad.yaml:3:15: error: spp is not a number \"" + repeat("x", 60) +
+                           "...\"; expected an integer >= 1 and <= 16777216");
 }
 
 std::string broken(std::string text, std::mt19937& random) {

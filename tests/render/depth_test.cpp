@@ -57,7 +57,7 @@ Image picture_of(const SceneDesc& scene, PlanOptions::Precision precision) {
     options.spp = 4;
     const RenderResult result = render_scene(scene, plan, options);
     EXPECT_EQ(result.counters.media_overflows, 0u);
-    EXPECT_EQ(result.counters.film.nonfinite, 0u);
+    EXPECT_EQ(result.counters.film.nonfinite.count, 0u);
     Image picture = resolve(result.film);
     for (size_t i = 3; i < picture.data.size(); i += 4) picture.data[i] = 1;
     return picture;
@@ -109,7 +109,7 @@ TEST(Depth, TooManyMediaAreReported) {
     options.spp = 1;
     const RenderResult result = render_scene(scene, {}, options);
     EXPECT_GT(result.counters.media_overflows, 0u);
-    EXPECT_EQ(result.counters.film.nonfinite, 0u);
+    EXPECT_EQ(result.counters.film.nonfinite.count, 0u);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST_P(Determinism, Passes) {
 TEST_P(Determinism, EveryCameraSampleIsTakenOnce) {
     const RenderResult result = render(plan(), spp(5));
     EXPECT_EQ(result.counters.camera_rays, 5u * 48 * 36);
-    EXPECT_EQ(result.counters.film.nonfinite, 0u);
+    EXPECT_EQ(result.counters.film.nonfinite.count, 0u);
     EXPECT_EQ(result.counters.trace.rejected, 0u);
     for (int y = 0; y < 36; ++y)
         for (int x = 0; x < 48; ++x) {

@@ -38,7 +38,7 @@ void expect_background(const Image& picture) {
         ASSERT_EQ(picture.data[i], 0.25f);
         ASSERT_EQ(picture.data[i + 1], 0.5f);
         ASSERT_EQ(picture.data[i + 2], 1.0f);
-        ASSERT_EQ(picture.data[i + 3], 0.0f);
+        ASSERT_EQ(picture.data[i + 3], 1.0f);
     }
 }
 

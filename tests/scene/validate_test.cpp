@@ -35,7 +35,7 @@ const std::vector<Case> render_cases{
      {"render.fps: error: fps is out of range \"0\"; expected a number > 0"}},
     {"spp",
      [](SceneDesc& s) { s.render.spp = 0; },
-     {"render.spp: error: spp is out of range \"0\"; expected an integer >= 1"}},
+     {"render.spp: error: spp is out of range \"0\"; expected an integer >= 1 and <= 16777216"}},
     {"depth",
      [](SceneDesc& s) { s.render.max_depth = -1; },
      {"render.max_depth: error: max_depth is out of range \"-1\"; expected an integer >= 0 and <= 10000"}},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drt/plan/brightest.h"
 #include "drt/plan/explain.h"
 #include "drt/plan/plan.h"
 #include "drt/plan/prepare.h"
@@ -64,6 +65,7 @@ std::unique_ptr<World<Real>> build_world(const SceneDesc& scene, PreparedScene&&
     w->view = cast<Real>(view_at(p.camera, 0.0));
     w->filter = tables.filter;
     w->background = scene.background;
+    if (shows_background(scene)) w->backdrop = {scene.background, 1};
     w->sampling = plan_samples(scene, options, features, *w);
     w->accel = std::make_unique<Accel<Real>>(w->bodies);
     return w;
@@ -96,8 +98,10 @@ RenderPlan compile(const SceneDesc& scene, const PlanOptions& options, TextureCa
     plan.exposure = prepared.exposure;
     const std::string reason = needs_double(prepared);
     plan.features = find_features(scene, prepared);
+    plan.random = draws_samples(plan.features, prepared);
     plan.features.double_precision = use_double(options, reason);
     if (options.general) plan.features = keep_everything(plan.features);
+    plan.brightest = brightest_sight(scene, prepared);
     plan.explanation = explain(scene, prepared, plan.features, reason);
     SceneTables tables = build_tables(scene, options, plan.features, textures, plan.notes);
     if (plan.features.double_precision)

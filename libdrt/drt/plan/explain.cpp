@@ -6,6 +6,7 @@
 #include <set>
 
 #include "drt/light/light_tree.h"
+#include "drt/plan/brightest.h"
 
 namespace drt {
 
@@ -29,6 +30,10 @@ int count_refracting(const PreparedScene& p) {
 }
 
 }  // namespace
+
+bool shows_background(const SceneDesc& scene) {
+    return !scene.render.transparent_background && !is_black(scene.background);
+}
 
 Features find_features(const SceneDesc& scene, const PreparedScene& p) {
     const auto materials = used_materials(scene, p);
@@ -58,13 +63,19 @@ Features find_features(const SceneDesc& scene, const PreparedScene& p) {
     f.lobe_lights =
         deep && any([](const Material* m) { return m->reflectance > 0 && m->reflection_spread_degrees > 0; }) &&
         std::any_of(p.emitters.begin(), p.emitters.end(), [](const Emitter& e) { return e.light != no_light; });
+    f.brightens = brightens(scene);
     return f;
+}
+
+bool draws_samples(const Features& f, const PreparedScene& p) {
+    return f.pixel_filter || f.lens || f.time || f.light_samples || f.scatter ||
+           int(p.lights.asked.size()) < p.lights.count();
 }
 
 Features keep_everything(Features f) {
     f.pixel_filter = f.lens = f.time = f.moving_camera = f.planes = f.textures = true;
     f.visible_lights = f.lights = f.light_samples = f.specular = true;
-    f.scatter = f.refraction = f.nested_media = f.eye_media = f.glossy = f.lobe_lights = true;
+    f.scatter = f.refraction = f.nested_media = f.eye_media = f.glossy = f.lobe_lights = f.brightens = true;
     return f;
 }
 
@@ -103,6 +114,11 @@ Explanation explain(const SceneDesc& scene, const PreparedScene& p, const Featur
     say("glossy lobes", f.glossy, "some lobe has a spread", "every lobe is sharp");
     say("lights in glossy reflections", f.lobe_lights, "light samples and lobe rays share visible lights",
         "no glossy reflection of a visible light");
+    say("brightening", f.brightens, "some material reflects or refracts more than it receives: paths are kept finite",
+        "no material sends on more light than it receives");
+    say("background", shows_background(scene), "part of the picture: alpha is 1",
+        scene.render.transparent_background ? "transparent_background: colour and alpha are 0"
+                                            : "background is black: alpha is 0");
     say("double precision", f.double_precision, double_reason.empty() ? "asked for" : double_reason,
         "float is exact enough for every body and pixel");
     return out;

@@ -6,7 +6,13 @@
 
 namespace drt {
 
+/// A black background is none.
+bool shows_background(const SceneDesc&);
+
 Features find_features(const SceneDesc&, const PreparedScene&);
+
+/// Samples of a pixel differ: the scene's features draw random numbers.
+bool draws_samples(const Features&, const PreparedScene&);
 
 /// --plan=general: every stage and every table, as if the scene used everything.
 Features keep_everything(Features);

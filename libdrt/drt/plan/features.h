@@ -39,6 +39,7 @@ struct Features {
     OptionalFeature eye_media = false;     ///< the eye may be inside a body that refracts
     OptionalFeature glossy = false;        ///< some lobe is not sharp
     OptionalFeature lobe_lights = false;   ///< glossy reflections may meet lights that are sampled, too
+    OptionalFeature brightens = false;     ///< some material sends on more light than it receives
     bool double_precision = false;
     friend bool operator==(const Features&, const Features&) = default;
 };

@@ -51,6 +51,13 @@ struct SamplePlan {
     float roulette_threshold = 0;
 };
 
+/// What the picture shows where a camera ray meets nothing. A background is part of the picture; without one, it being
+/// black, and where it is asked to be transparent, there is nothing to cover what the picture is laid over.
+struct CameraBackground {
+    Color color{0.0f};
+    float alpha = 0;
+};
+
 /// Textures by number. Other worlds may share them.
 struct SharedTextures {
     std::vector<std::shared_ptr<const TextureMap>> maps;
@@ -76,7 +83,8 @@ struct World {
     CameraModel<Real> camera;
     View<Real> view;  ///< of a camera that stands still
     FilterTable filter;
-    Color background;
+    Color background;           ///< what a ray sees that meets nothing
+    CameraBackground backdrop;  ///< what a camera ray sees then
     SamplePlan sampling;
 };
 

@@ -30,6 +30,29 @@ std::string_view describe(StopReason r) {
     return "";
 }
 
+std::string_view describe(PictureKnown k) {
+    switch (k) {
+        case PictureKnown::error:
+            return "about";
+        case PictureKnown::error_at_least:
+            return "at least";
+        case PictureKnown::nothing_hit:
+            return "none: no ray hit anything";
+        case PictureKnown::all_dropped:
+            return "none: every sample was dropped";
+        case PictureKnown::one_replicate:
+            return "none: too few samples";
+    }
+    return "";
+}
+
+PictureKnown RenderResult::known_of() const {
+    if (counters.film.nonfinite.count == counters.camera_rays) return PictureKnown::all_dropped;
+    if (counters.camera_hits == 0) return PictureKnown::nothing_hit;
+    if (!error.valid) return PictureKnown::one_replicate;
+    return error.at_least ? PictureKnown::error_at_least : PictureKnown::error;
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -179,6 +202,8 @@ private:
 RenderResult render(const RenderPlan& plan, const RenderOptions& options, const RenderEvents& events) {
     if (options.tile_size < block_side || options.tile_size > 32 || !std::has_single_bit(unsigned(options.tile_size)))
         throw Error(ErrorKind::usage, "the tile size must be 4, 8, 16 or 32 pixels");
+    if (std::uint64_t(options.spp) > replicate_count * most_summands)
+        throw Error(ErrorKind::usage, "more samples per pixel than the film holds");
     // TBB starts no more threads than there are cores unless it is told to.
     std::optional<tbb::global_control> allowed;
     if (options.threads > tbb::info::default_concurrency())
@@ -200,7 +225,8 @@ RenderResult render(const RenderPlan& plan, const RenderOptions& options, const 
             },
             plan.world);
     });
-    result.error = estimate_error(result.film);
+    result.memory.film += result.film.memory() - film_memory(plan.width, plan.height);
+    result.error = estimate_error(result.film, {plan.brightest, plan.random});
     return result;
 }
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-#include "drt/film/film.h"
+#include "drt/film/error_estimate.h"
 #include "drt/plan/plan.h"
 #include "drt/render/memory.h"
 #include "drt/stages/stage.h"
@@ -37,6 +37,16 @@ struct RenderEvents {
     std::function<void(const Film&, const Progress&)> pass_done;
 };
 
+/// What is known of a picture's error.
+enum class PictureKnown {
+    error,           ///< the estimate
+    error_at_least,  ///< the estimate, from below
+    nothing_hit,     ///< no camera ray met anything: there may be nothing, or it is too small
+    all_dropped,     ///< no sample is a number
+    one_replicate,   ///< too few samples for an estimate
+};
+std::string_view describe(PictureKnown);
+
 struct RenderResult {
     Film film;
     ErrorEstimate error;
@@ -47,6 +57,7 @@ struct RenderResult {
     double seconds = 0;
     int threads = 0;
     MemoryEstimate memory;
+    PictureKnown known_of() const;
 };
 
 /// Throws Error: usage (tile size), memory (before anything large is allocated).

@@ -306,6 +306,7 @@ struct RenderSettings {
     std::uint32_t seed = 0;
     int max_depth = 8;  ///< reflections and refractions in a row (legacy `recursion`); 0 = none
     Filter filter;
+    bool transparent_background = false;  ///< colour and alpha are 0 where camera rays meet nothing
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 

@@ -457,6 +457,7 @@ struct Fields<Filter> {
 
 inline constexpr int largest_image_side = 65536;
 inline constexpr int largest_depth = 10000;
+inline constexpr int largest_spp = 1 << 24;
 inline constexpr std::int64_t largest_image_pixels = std::int64_t(1) << 28;
 
 template <>
@@ -469,11 +470,13 @@ struct Fields<RenderSettings> {
         field("height", &RenderSettings::height, "pixels", Range{.low = 1, .high = largest_image_side},
               "at most 2^28 pixels in all"),
         field("fps", &RenderSettings::fps, "1 / s", ranges::positive, "frame k shows video time k / fps"),
-        field("spp", &RenderSettings::spp, "", Range{.low = 1}, "samples per pixel"),
+        field("spp", &RenderSettings::spp, "", Range{.low = 1, .high = largest_spp}, "samples per pixel"),
         field("seed", &RenderSettings::seed, "", ranges::any, "another seed, other noise"),
         field("max_depth", &RenderSettings::max_depth, "", Range{.low = 0, .high = largest_depth},
               "reflections and refractions in a row; 0 = none"),
         field("filter", &RenderSettings::filter, "", ranges::any, "pixel filter"),
+        field("transparent_background", &RenderSettings::transparent_background, "", ranges::any,
+              "the camera does not see the background: colour and alpha are 0 there; mirrors and glass show it"),
     };
 };
 

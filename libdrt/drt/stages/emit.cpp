@@ -46,7 +46,7 @@ void emit_stage(StageContext<Real>& c) {
     using I = typename P::I;
     const World<Real>& w = *c.world;
     RayBatch<Real>& b = *c.batch;
-    const Color3<F> background(w.background);
+    const Color3<F> background(b.bounce == 0 ? w.backdrop.color : w.background);
     for (int i = 0; i < b.count; i += P::width) {
         const auto live = mask_cast<F>(load<I>(b.slot.at(i)) >= I(0));
         const auto hit = live && mask_cast<F>(load<I>(b.body.at(i)) >= I(0));
@@ -69,7 +69,8 @@ void emit_stage(StageContext<Real>& c) {
         // A path's first light starts its sum. Coverage: the filter's weight goes with it, so that its mean is the
         // filtered coverage.
         store_color(select(live, throughput * light, Color3<F>(F(0))), b.radiance, i);
-        store(select(hit, throughput.r, F(0)), b.alpha.at(i));
+        store(select(live, throughput.r * select(hit, F(1), F(w.backdrop.alpha)), F(0)), b.alpha.at(i));
+        c.counters->camera_hits += std::uint64_t(count(hit));
     }
 }
 

@@ -26,6 +26,8 @@ void merge(RenderCounters& into, const RenderCounters& from) {
     into.camera_rays += from.camera_rays;
     into.scattered_rays += from.scattered_rays;
     into.shadow_rays += from.shadow_rays;
+    into.camera_hits += from.camera_hits;
+    into.cut_paths += from.cut_paths;
     into.media_overflows += from.media_overflows;
     into.trace.rejected += from.trace.rejected;
     merge(into.film, from.film);

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "drt/sampling/lobe.h"
 #include "drt/stages/glossy_lights.h"
 #include "drt/stages/media.h"
@@ -6,6 +8,17 @@
 namespace drt {
 
 namespace {
+
+// Cuts what materials have brightened beyond the largest float: infinity times black would be no number at all.
+template <class F>
+void cut_brightness(Color3<F>& throughput, const MaskOf<F>& live, RenderCounters& counters) {
+    using std::abs;
+    const F largest(std::numeric_limits<float>::max());
+    const auto within = abs(throughput.r) <= largest && abs(throughput.g) <= largest && abs(throughput.b) <= largest;
+    if (all(within || !live)) return;
+    counters.cut_paths += std::uint64_t(count(live && !within));
+    for (F* channel : {&throughput.r, &throughput.g, &throughput.b}) *channel = clamp(*channel, F(-largest), largest);
+}
 
 template <class Real>
 struct Directions {
@@ -136,6 +149,7 @@ void scatter_stage(StageContext<Real>& c) {
         auto live = mask_cast<F>(raw_material >= I(0)) && share > F(0);
         if (!any(live)) continue;
         Color3<F> throughput = load_color<F>(b.throughput, i) * share;
+        if (w.features.brightens) cut_brightness(throughput, live, *c.counters);
         const SampleSet<F> samples{load<U>(b.key.at(i)), load<U>(b.index.at(i))};
         live = live && survive(w, b, samples, throughput);
         if (!any(live)) continue;

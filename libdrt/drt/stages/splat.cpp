@@ -15,7 +15,6 @@ void splat_stage(StageContext<Real>& c) {
         int slot = s * pixels;
         for (const TileBlock& block : c.pixels.blocks) {
             samples.rgba = {b.radiance.x.at(slot), b.radiance.y.at(slot), b.radiance.z.at(slot), b.alpha.at(slot)};
-            samples.valid = block.valid;
             add_block(*c.film, c.first_sample + std::uint32_t(s), block.x, block.y, samples, c.counters->film);
             slot += block_pixels;
         }

@@ -31,6 +31,8 @@ struct BatchPixels {
 /// Counted per thread, added up at the end of a pass.
 struct RenderCounters {
     std::uint64_t camera_rays = 0, scattered_rays = 0, shadow_rays = 0;
+    std::uint64_t camera_hits = 0;      ///< camera rays that met a body or a visible light
+    std::uint64_t cut_paths = 0;        ///< times that a path was brightened beyond the largest float and cut to it
     std::uint64_t media_overflows = 0;  ///< paths inside more bodies than the stack holds
     TraceCounters trace;
     FilmCounters film;
