@@ -71,6 +71,7 @@ ErrorEstimate estimate_error(const Film& film, const SceneLimits& scene) {
     e.valid = true;
     e.rmse = std::sqrt(s.squared_error / (double(film.width) * film.height));
     e.relative = s.squared_value > 0 ? std::sqrt(s.squared_error / s.squared_value) : 0;
+    e.freedom = s.squared_error > 0 ? freedom(s) : 0;
     e.at_least = is_lower_bound(s, scene);
     return e;
 }

@@ -8,13 +8,14 @@ namespace drt {
 struct ErrorEstimate {
     double rmse = 0;        ///< root mean square error of the picture's RGB values
     double relative = 0;    ///< rmse / root mean square of the picture's RGB values
+    double freedom = 0;     ///< degrees of freedom that it rests on
     bool valid = false;     ///< false until every pixel has a sample in both replicates
     bool at_least = false;  ///< the error may be larger: light that few samples meet, or none yet, decides it
 };
 
 /// What the scene is known to hold.
 struct SceneLimits {
-    double brightest = 0;  ///< the largest value of a sample by something that shines by itself (plan/brightest.h)
+    double brightest = 0;  ///< the largest value that a sample may have without having been seen often already
     bool random = true;    ///< false: all samples of a pixel are the same ray, and no difference means no error
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "drt/plan/brightest.h"
 #include "drt/plan/explain.h"
 #include "drt/plan/plan.h"
 #include "drt/plan/prepare.h"
@@ -101,7 +100,7 @@ RenderPlan compile(const SceneDesc& scene, const PlanOptions& options, TextureCa
     plan.random = draws_samples(plan.features, prepared);
     plan.features.double_precision = use_double(options, reason);
     if (options.general) plan.features = keep_everything(plan.features);
-    plan.brightest = brightest_sight(scene, prepared);
+    plan.sights = find_sights(scene, prepared);
     plan.explanation = explain(scene, prepared, plan.features, reason);
     SceneTables tables = build_tables(scene, options, plan.features, textures, plan.notes);
     if (plan.features.double_precision)

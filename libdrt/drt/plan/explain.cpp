@@ -6,7 +6,6 @@
 #include <set>
 
 #include "drt/light/light_tree.h"
-#include "drt/plan/brightest.h"
 
 namespace drt {
 
@@ -30,6 +29,12 @@ int count_refracting(const PreparedScene& p) {
 }
 
 }  // namespace
+
+double largest_share(const SceneDesc& scene) {
+    double share = 0;
+    for (const Material& m : scene.materials) share = std::max(share, double(m.reflectance) + double(m.refraction));
+    return share;
+}
 
 bool shows_background(const SceneDesc& scene) {
     return !scene.render.transparent_background && !is_black(scene.background);
@@ -63,7 +68,7 @@ Features find_features(const SceneDesc& scene, const PreparedScene& p) {
     f.lobe_lights =
         deep && any([](const Material* m) { return m->reflectance > 0 && m->reflection_spread_degrees > 0; }) &&
         std::any_of(p.emitters.begin(), p.emitters.end(), [](const Emitter& e) { return e.light != no_light; });
-    f.brightens = brightens(scene);
+    f.brightens = deep && largest_share(scene) > 1;
     return f;
 }
 

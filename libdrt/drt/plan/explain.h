@@ -6,6 +6,9 @@
 
 namespace drt {
 
+/// The largest share of the light that a material sends on, by reflection and refraction.
+double largest_share(const SceneDesc&);
+
 /// A black background is none.
 bool shows_background(const SceneDesc&);
 

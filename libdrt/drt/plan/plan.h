@@ -8,6 +8,7 @@
 
 #include "drt/plan/exposure.h"
 #include "drt/plan/features.h"
+#include "drt/plan/sights.h"
 #include "drt/plan/world.h"
 #include "drt/scene/scene_desc.h"
 
@@ -28,7 +29,7 @@ struct RenderPlan {
     Explanation explanation;
     Exposure exposure;
     std::variant<std::unique_ptr<World<float>>, std::unique_ptr<World<double>>> world;
-    float brightest = 0;     ///< no camera ray finds anything that shines more (brightest.h)
+    Sights sights;
     bool random = true;      ///< false: all samples of a pixel are the same path
     Diagnostics notes;       ///< warnings met while compiling, such as textures replaced by a checker
     std::size_t memory = 0;  ///< bytes held by the world, Embree's included

@@ -15,6 +15,7 @@
 #include "drt/base/task_order.h"
 #include "drt/render/passes.h"
 #include "drt/render/tiles.h"
+#include "drt/render/unseen_light.h"
 
 namespace drt {
 
@@ -226,7 +227,8 @@ RenderResult render(const RenderPlan& plan, const RenderOptions& options, const 
             plan.world);
     });
     result.memory.film += result.film.memory() - film_memory(plan.width, plan.height);
-    result.error = estimate_error(result.film, {plan.brightest, plan.random});
+    result.error = estimate_error(
+        result.film, {unseen_brightness(plan.sights, result.counters.sources, result.spp_done), plan.random});
     return result;
 }
 

@@ -21,7 +21,7 @@ float lobe_weight(const World<Real>& w, const RayBatch<Real>& b, int ray, LightI
 
 // Visible lights in the packet: what they send back along the rays that hit them. They are rare, so lane by lane.
 template <class Real>
-Color3<typename Pack<Real>::F> emitted(const World<Real>& w, const RayBatch<Real>& b, int i) {
+Color3<typename Pack<Real>::F> emitted(const World<Real>& w, const RayBatch<Real>& b, int i, SourceHits& hits) {
     using F = typename Pack<Real>::F;
     Color3<F> out(F(0));
     for (int l = 0; l < Pack<Real>::width; ++l) {
@@ -29,6 +29,7 @@ Color3<typename Pack<Real>::F> emitted(const World<Real>& w, const RayBatch<Real
         if (body < 0 || w.body_emitter[size_t(body)] < 0) continue;
         const Emitter& e = w.emitters[size_t(w.body_emitter[size_t(body)])];
         if (!e.two_sided && !b.outward[i + l]) continue;
+        ++(b.bounce == 0 ? hits.direct : hits.scattered)[SourceHits::bin(max_component(e.radiance))];
         const float weight = w.features.lobe_lights && b.bounce > 0 ? lobe_weight(w, b, i + l, e.light) : 1.0f;
         out.r[l] = e.radiance.r * weight;
         out.g[l] = e.radiance.g * weight;
@@ -60,7 +61,7 @@ void emit_stage(StageContext<Real>& c) {
         }
         Color3<F> light = select(hit, Color3<F>(F(0)), background);
         light = select(shaded, ambient, light);
-        if (w.features.visible_lights) light += emitted(w, b, i);
+        if (w.features.visible_lights) light += emitted(w, b, i, c.counters->sources);
         const Color3<F> throughput = load_color<F>(b.throughput, i);
         if (b.bounce > 0) {
             add_radiance(b, i, live, throughput * light);

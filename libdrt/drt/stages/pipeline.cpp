@@ -30,6 +30,10 @@ void merge(RenderCounters& into, const RenderCounters& from) {
     into.cut_paths += from.cut_paths;
     into.media_overflows += from.media_overflows;
     into.trace.rejected += from.trace.rejected;
+    for (size_t i = 0; i < into.sources.direct.size(); ++i) {
+        into.sources.direct[i] += from.sources.direct[i];
+        into.sources.scattered[i] += from.sources.scattered[i];
+    }
     merge(into.film, from.film);
 }
 

@@ -2,6 +2,8 @@
 // A stage is a plain function over a batch. The pipeline of a frame is a short list of them, composed once from the
 // plan's features: a stage that a scene does not need is not in the list.
 
+#include <array>
+#include <bit>
 #include <chrono>
 #include <cstdint>
 #include <span>
@@ -28,12 +30,19 @@ struct BatchPixels {
     int count() const { return int(blocks.size()) * block_pixels; }
 };
 
+/// How often camera rays and scattered rays met visible lights, by the octave of their radiance.
+struct SourceHits {
+    std::array<std::uint64_t, 256> direct{}, scattered{};
+    static size_t bin(float radiance) { return std::bit_cast<std::uint32_t>(radiance) >> 23; }
+};
+
 /// Counted per thread, added up at the end of a pass.
 struct RenderCounters {
     std::uint64_t camera_rays = 0, scattered_rays = 0, shadow_rays = 0;
     std::uint64_t camera_hits = 0;      ///< camera rays that met a body or a visible light
     std::uint64_t cut_paths = 0;        ///< times that a path was brightened beyond the largest float and cut to it
     std::uint64_t media_overflows = 0;  ///< paths inside more bodies than the stack holds
+    SourceHits sources;
     TraceCounters trace;
     FilmCounters film;
 };
