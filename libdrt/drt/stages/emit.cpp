@@ -13,9 +13,11 @@ template <class Real>
 float lobe_weight(const World<Real>& w, const RayBatch<Real>& b, int ray, LightId light) {
     const float density = b.lobe.density[ray];
     if (density <= 0 || light == no_light) return 1;
-    const Vec3<Real> p{b.o.x[ray], b.o.y[ray], b.o.z[ray]}, wi{b.d.x[ray], b.d.y[ray], b.d.z[ray]};
+    const Vec3<Real> wi{b.d.x[ray], b.d.y[ray], b.d.z[ray]};
+    const Real passed = Real(b.lobe.passed[ray]), distance = passed + b.t[ray];
+    const Vec3<Real> p = Vec3<Real>{b.o.x[ray], b.o.y[ray], b.o.z[ray]} - wi * passed;
     const Vec3f n{b.lobe.n.x[ray], b.lobe.n.y[ray], b.lobe.n.z[ray]};
-    const float pdf = visit_light(w.lights, light, [&](const auto& l) { return light_pdf(l, p, wi, b.t[ray]); });
+    const float pdf = visit_light(w.lights, light, [&](const auto& l) { return light_pdf(l, p, wi, distance); });
     return power_heuristic(density, pdf * samples_of(w.lights, light, p, n));
 }
 

@@ -56,6 +56,7 @@ bool passes_through(StageContext<Real>& c, int i) {
     b.came_from[i] = arrival.came_from;
     b.start[i] = start::pack(body, b.part[i], entering ? 0 : 1);
     b.footprint[i] += b.spread[i] * float(t);
+    if (c.world->features.lobe_lights) b.lobe.passed[i] += float(t);
     return true;
 }
 

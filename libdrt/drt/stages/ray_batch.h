@@ -71,6 +71,7 @@ struct LightDraws {
 struct LobeOrigins {
     Column<float> density;  ///< of the ray's direction, per steradian; 0: no light sample could have taken it
     Column3<float> n;       ///< the normal there, on the ray's side
+    Column<float> passed;   ///< length of the ray before `o`, where it passed through surfaces that do not exist
 };
 
 template <class Real>

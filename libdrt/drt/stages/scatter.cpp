@@ -192,7 +192,7 @@ void scatter_stage(StageContext<Real>& c) {
         keep(b.key, samples.key), keep(b.index, samples.index);
         keep(b.hit_index, at_slot(w.sampling.kind, samples, hit_dim(b.bounce + 1)).index);
         if (w.features.lobe_lights) {
-            keep(b.lobe.density, lobe_density);
+            keep(b.lobe.density, lobe_density), keep(b.lobe.passed, F(0));
             keep(b.lobe.n.x, num_cast<F>(n.x)), keep(b.lobe.n.y, num_cast<F>(n.y)), keep(b.lobe.n.z, num_cast<F>(n.z));
         }
         keep(b.throughput.x, throughput.r), keep(b.throughput.y, throughput.g), keep(b.throughput.z, throughput.b);
