@@ -86,11 +86,14 @@ TEST(Math, Log1p) {
 }
 
 TEST(Math, Pow) {
-    for (const double e : {0.5, 2.2, 5.0, -3.0})
+    for (const double e : {0.5, 2.2, 5.0, -3.0}) {
+        // Scalars and lanes may err either way: which of them is fused multiply-adds depends on the machine.
+        const double bound = 2 + 2 * std::abs(e) * std::log(4.0);
         EXPECT_LT(worst(
                       0.25, 4.0, [&](auto x) { return fast_pow(x, decltype(x)(float(e))); },
-                      [&](double x) { return std::pow(x, double(float(e))); }),
-                  2 + 2 * std::abs(e) * std::log(4.0));
+                      [&](double x) { return std::pow(x, double(float(e))); }, false, 2 * bound),
+                  bound);
+    }
     EXPECT_EQ(fast_pow(0.0f, 0.0f), 1.0f);
     EXPECT_EQ(fast_pow(0.0f, 3.0f), 0.0f);
 }

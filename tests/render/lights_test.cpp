@@ -27,7 +27,7 @@ SceneDesc look_at(const Vec3d& eye, const Vec3d& target, double fov_degrees) {
     SceneDesc scene = simple_scene(eye, target, fov_degrees);
     scene.render.width = scene.render.height = side;
     scene.render.filter.kind = Filter::Kind::point;
-    if (std::abs(normalize(target - eye).y) > 0.99) scene.cameras[0].up = {0, 0, 1};
+    if (std::abs(normalize(target - eye).y) > 0.99) scene.cameras[0].up_start = {0, 0, 1};
     return scene;
 }
 

@@ -6,8 +6,6 @@
 
 namespace drt {
 
-inline constexpr int most_media = 64;  ///< bodies that refract that a path can be inside of at once
-
 struct PreparedScene {
     Exposure exposure;
     Vec3d origin;  ///< eye at shutter open; already subtracted everywhere below

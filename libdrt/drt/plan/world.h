@@ -42,6 +42,8 @@ struct Emitter {
     LightId light = no_light;  ///< none if it is black
 };
 
+inline constexpr int most_media = 64;  ///< bodies that refract that a path can be inside of at once
+
 struct SamplePlan {
     std::uint32_t seed = 0, frame = 0;
     SamplerKind kind = SamplerKind::sobol;

@@ -67,7 +67,9 @@ void pass_through_surfaces(StageContext<Real>& c, int i, const Departures<Real>&
     using R = typename P::R;
     using I = typename P::I;
     RayBatch<Real>& b = *c.batch;
-    for (;;) {
+    // A path that could not remember what it entered may find no way on: then the surface is there after all.
+    constexpr int most_passes = 4 * most_media;
+    for (int pass = 0; pass < most_passes; ++pass) {
         typename P::Mask passing(false);
         for (int l = 0; l < P::width; ++l) passing[l] = passes_through(c, i + l);
         if (!any(passing)) return;
