@@ -50,7 +50,7 @@ TEST(RenderTime, AZoomEndsWhereItSays) {
     const Image right = render_exr(folder, "b", {folder.write("b.yaml", scene_with(standing)), "-f", "9"});
     double mean = 0;
     for (size_t i = 0; i < end.data.size(); ++i) mean += double(end.data[i] - right.data[i]) / double(end.data.size());
-    EXPECT_NEAR(mean, 0, 0.02);         // frames have their own noise
+    EXPECT_NEAR(mean, 0, 0.02);                  // frames have their own noise
     EXPECT_FLOAT_EQ(end.pixel(12, 0)[2], 0.3f);  // no floor above the horizon, but the background
     EXPECT_LT(end.pixel(12, 15)[2], 0.29f);
 }
