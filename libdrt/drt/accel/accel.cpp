@@ -377,7 +377,7 @@ void Accel<Real>::intersect(const RayPacket<Real>& rays, HitPacket<Real>& hits, 
     q.hits = &hits;
     q.slack = slack_of(rays);
     q.hit_error = typename P::R(0);
-    intersect_planes(impl_->planes, q, active);
+    if (impl_->planes.group.count > 0) intersect_planes(impl_->planes, q, active);
     if (!impl_->empty && any(active)) {
         alignas(64) typename Embree::RayHit e;
         alignas(64) int valid[P::width];
@@ -402,8 +402,11 @@ typename Pack<Real>::Mask Accel<Real>::occluded(const RayPacket<Real>& rays, con
     q.rays = &rays;
     q.slack = slack_of(rays);
     q.exclude = exclude;
-    auto blocked = active && occluded_by_planes(impl_->planes, q);
-    active = active && !blocked;
+    typename P::Mask blocked(false);
+    if (impl_->planes.group.count > 0) {
+        blocked = occluded_by_planes(impl_->planes, q, active);
+        active = active && !blocked;
+    }
     if (!impl_->empty && any(active)) {
         alignas(64) typename Embree::Ray e;
         alignas(64) int valid[P::width];

@@ -49,7 +49,8 @@ struct AllLanes {
     const Query<Real>& q;
     [[gnu::always_inline]] Rays<T> rays() const {
         const RayPacket<Real>& r = *q.rays;
-        return {r.o, r.d, r.tmax, r.time, r.start, q.slack, r.from, r.number};
+        // Number by number: GCC 12 leaves copies of whole vectors in memory.
+        return {{r.o.x, r.o.y, r.o.z}, {r.d.x, r.d.y, r.d.z}, r.tmax, r.time, r.start, q.slack, r.from, r.number};
     }
 };
 
@@ -231,33 +232,40 @@ bool blocked_lane(const Group<Real>& g, int body, const Query<Real>& q, int i) {
 }
 
 // ---- infinite planes ---------------------------------------------------------------------------------------------
+// In functions of their own, moving ones apart: what a scene or a packet does not meet shall not cost it registers.
 
-template <class Real>
-bool plane_moves(const BodyTable<Real>& table, int body) {
-    return !table.path(body).empty();
+template <bool moving, class Real>
+[[gnu::noinline]] void intersect_plane(const Group<Real>& planes, int body, Query<Real>& q,
+                                       typename Pack<Real>::Mask candidates) {
+    nearest_in_lanes<ShapeKind::plane, moving>(planes, body, q, candidates);
+}
+
+template <bool moving, class Real>
+[[gnu::noinline]] typename Pack<Real>::Mask occluded_by_plane(const Group<Real>& planes, int body,
+                                                              const Query<Real>& q) {
+    return blocked_lanes<ShapeKind::plane, moving>(planes, body, q);
 }
 
 template <class Real>
-[[gnu::always_inline]] inline void intersect_planes(const Group<Real>& planes, Query<Real>& q,
-                                                    const typename Pack<Real>::Mask& valid) {
-    for (int i = 0; i < planes.group.count; ++i) {
-        const int body = planes.group.first + i;
-        if (plane_moves(*planes.table, body))
-            nearest_in_lanes<ShapeKind::plane, true>(planes, body, q, valid);
-        else
-            nearest_in_lanes<ShapeKind::plane, false>(planes, body, q, valid);
+[[gnu::noinline]] void intersect_planes(const Group<Real>& planes, Query<Real>& q, typename Pack<Real>::Mask active) {
+    for (int body = planes.group.first; body < planes.group.first + planes.group.count; ++body) {
+        const auto candidates = active && may_hit<ShapeKind::plane>(q, body);
+        if (!any(candidates)) continue;
+        const bool moves = !planes.table->path(body).empty();
+        (moves ? intersect_plane<true, Real> : intersect_plane<false, Real>)(planes, body, q, candidates);
     }
 }
 
 template <class Real>
-[[gnu::always_inline]] inline typename Pack<Real>::Mask occluded_by_planes(const Group<Real>& planes,
-                                                                           const Query<Real>& q) {
+[[gnu::noinline]] typename Pack<Real>::Mask occluded_by_planes(const Group<Real>& planes, const Query<Real>& q,
+                                                               typename Pack<Real>::Mask active) {
     typename Pack<Real>::Mask blocked(false);
-    for (int i = 0; i < planes.group.count; ++i) {
-        const int body = planes.group.first + i;
-        blocked =
-            blocked || (plane_moves(*planes.table, body) ? blocked_lanes<ShapeKind::plane, true>(planes, body, q)
-                                                         : blocked_lanes<ShapeKind::plane, false>(planes, body, q));
+    for (int body = planes.group.first; body < planes.group.first + planes.group.count; ++body) {
+        const auto candidates = active && !blocked && may_hit<ShapeKind::plane>(q, body);
+        if (!any(candidates)) continue;
+        const bool moves = !planes.table->path(body).empty();
+        const auto here = (moves ? occluded_by_plane<true, Real> : occluded_by_plane<false, Real>)(planes, body, q);
+        blocked = blocked || (candidates && here);
     }
     return blocked;
 }

@@ -97,7 +97,7 @@ template <class T>
                                                     const Vec3<T>& d, const Relation<T>& rel, const T&, const T& tmax) {
     const Vec3<T> n(s.normal);
     const T t = -dot(o, n) / dot(d, n);
-    return {t > T(0) && t < tmax && !rel.on, t, n, Rebind<T, int>(0)};
+    return {t > T(0) && t < tmax && !rel.on, t, {n.x, n.y, n.z}, Rebind<T, int>(0)};
 }
 
 /// The slab test, one axis after another. Faces are closed: a ray that runs along a face, exactly in it, is inside.

@@ -93,6 +93,13 @@ template <class T>
 
 // ---- rectangles ----------------------------------------------------------------------------------------------------
 
+/// Whether p is so near that the light is sampled over its solid angle. Of what is seen edge-on, only over the area:
+/// hardly anything comes from there, and directions lose their digits.
+template <class T>
+[[gnu::always_inline]] inline MaskOf<T> is_near(const RectLightData<T>& l, const Vec3<T>& p) {
+    return length_squared(l.center - p) < l.near2;
+}
+
 namespace light_detail {
 
 /// A parallelogram as two spherical triangles in a fan about its corner, (x, corner, xy) and (xy, corner, y): what is
@@ -122,11 +129,6 @@ template <class T>
             spherical_triangle(to_xy, to_o, y * inverse_y, D(det * inverse_y)), height};
 }
 
-/// Seen edge-on, a rectangle is left to its area: hardly anything comes from there, and directions lose their digits.
-template <class T>
-[[gnu::always_inline]] inline MaskOf<T> by_solid_angle(const RectLightData<T>& l, const Vec3<T>& p) {
-    return length_squared(l.center - p) < l.near2;
-}
 template <class T>
 [[gnu::always_inline]] inline MaskOf<T> wide_enough(const RectView<T>& v) {
     return v.solid_angle() > T(1e-3f);
@@ -156,6 +158,19 @@ template <class T>
 
 }  // namespace light_detail
 
+/// Uniform over the area.
+template <class T>
+[[gnu::always_inline]] inline LightSample<T> sample_area(const RectLightData<T>& l, const Vec3<T>& p,
+                                                         const Vec2<T>& u) {
+    using F = Rebind<T, float>;
+    using std::abs;
+    LightSample<T> s = light_detail::towards(p, l.corner + l.edge_x * u.x + l.edge_y * u.y);
+    const T cosine = -dot(s.wi, l.normal);
+    const T facing = select(l.two_sided, abs(cosine), max(cosine, T(0)));
+    light_detail::set_radiance(s, l, s.distance * (s.distance / (facing * l.area)), mask_cast<F>(facing > T(0)));
+    return s;
+}
+
 /// Uniform over the area; within the longer diagonal of the centre over the solid angle, as the area would send nearly
 /// all samples to where they count little. Without falloff always over the area.
 template <class T>
@@ -163,12 +178,8 @@ template <class T>
                                                           const Vec2<T>& u) {
     using F = Rebind<T, float>;
     using namespace light_detail;
-    using std::abs;
-    LightSample<T> s = towards(p, l.corner + l.edge_x * u.x + l.edge_y * u.y);
-    const T cosine = -dot(s.wi, l.normal);
-    const T facing = select(l.two_sided, abs(cosine), max(cosine, T(0)));
-    set_radiance(s, l, s.distance * (s.distance / (facing * l.area)), mask_cast<F>(facing > T(0)));
-    const auto near = by_solid_angle(l, p);
+    const LightSample<T> s = sample_area(l, p, u);
+    const auto near = is_near(l, p);
     if (!any(near)) return s;
     const auto view = view_rect(l, p);
     return select(mask_cast<F>(near) && mask_cast<F>(wide_enough(view)), sample_view(l, view, u), s);
@@ -182,7 +193,7 @@ template <class T>
     using namespace light_detail;
     using std::abs;
     const T over_area = distance * (distance / (abs(dot(wi, l.normal)) * l.area));
-    const auto near = by_solid_angle(l, p);
+    const auto near = is_near(l, p);
     if (!any(near)) return num_cast<F>(over_area);
     const auto view = view_rect(l, p);
     const F over_solid_angle = F(1) / num_cast<F>(view.solid_angle());

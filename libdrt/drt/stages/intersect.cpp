@@ -16,15 +16,14 @@ template <class Real>
     using F = typename P::F;
     using I = typename P::I;
     RayBatch<Real>& b = *c.batch;
-    RayPacket<Real> rays;
-    rays.o = load3<R>(b.o, i);
-    rays.d = load3<R>(b.d, i);
-    rays.tmax = R(std::numeric_limits<Real>::infinity());
-    rays.time = load<F>(b.time.at(i));
-    rays.start = load<I>(b.start.at(i));
-    rays.active = active;
-    rays.from = from;
-    rays.number = i;
+    const RayPacket<Real> rays{load3<R>(b.o, i),
+                               load3<R>(b.d, i),
+                               R(std::numeric_limits<Real>::infinity()),
+                               load<F>(b.time.at(i)),
+                               load<I>(b.start.at(i)),
+                               active,
+                               from,
+                               i};
     HitPacket<Real> hits;
     c.world->accel->intersect(rays, hits, c.counters->trace);
     store(hits.t, b.t.at(i));

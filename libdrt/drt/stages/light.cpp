@@ -88,7 +88,7 @@ template <class Real>
 
 // Turns the light that arrives at packet i into the light that is reflected by Phong's terms, and by the glossy
 // reflection where its rays go on. False if there is none.
-template <class Real>
+template <bool lobes, class Real>
 [[gnu::always_inline]] inline bool shade_packet(const World<Real>& w, RayBatch<Real>& b, int i) {
     using P = Pack<Real>;
     using R = typename P::R;
@@ -109,9 +109,17 @@ template <class Real>
             f += phong_specular(phong, n, wi, -Vec3<F>(load3<R>(b.d, i)), cosine);
         }
     }
-    if (w.features.lobe_lights && b.bounce < w.sampling.max_depth) f += Color3<F>(glossy_factor(w, b, i));
+    if constexpr (lobes) f += Color3<F>(glossy_factor(w, b, i));
     store_color(f * light, b.shadow.light, i);
     return true;
+}
+
+// False if no ray carries any light.
+template <bool lobes, class Real>
+bool shade(const World<Real>& w, RayBatch<Real>& b) {
+    bool lit = false;
+    for (int i = 0; i < b.count; i += Pack<Real>::width) lit = shade_packet<lobes>(w, b, i) || lit;
+    return lit;
 }
 
 // Adds what the shadow rays carry where nothing is in their way.
@@ -146,10 +154,19 @@ void trace_shadow_rays(StageContext<Real>& c) {
 // Shades the samples in the batch's shadow rays and adds those that nothing hides.
 template <class Real>
 void shade_and_trace(StageContext<Real>& c) {
+    const World<Real>& w = *c.world;
+    const bool lobes = w.features.lobe_lights && c.batch->bounce < w.sampling.max_depth;
+    if (lobes ? shade<true>(w, *c.batch) : shade<false>(w, *c.batch)) trace_shadow_rays(c);
+}
+
+// The same as for other rectangles, but long. Out of the way, so that those keep their values in registers.
+template <class Real, class Light>
+[[gnu::noinline]] void sample_near_packet(StageContext<Real>& c, int i, const Light& light,
+                                          Vec2<typename Pack<Real>::R> u) {
+    using P = Pack<Real>;
     RayBatch<Real>& b = *c.batch;
-    bool lit = false;
-    for (int i = 0; i < b.count; i += Pack<Real>::width) lit = shade_packet(*c.world, b, i) || lit;
-    if (lit) trace_shadow_rays(c);
+    const auto sample = sample_light(light, load3<typename P::R>(b.p, i), u);
+    store_sample(c.world->features, b, i, sample, light.body, typename P::F(1));
 }
 
 // Every surface point samples the same light.
@@ -162,7 +179,15 @@ void ask_light(StageContext<Real>& c, const Kind<Real>& l, DimId dimension) {
     const Kind<R> light = cast<R>(l);
     for (int i = 0; i < b.count; i += Pack<Real>::width) {
         const Vec2<R> u = has_area ? light_point(c, i, dimension) : Vec2<R>{};
-        store_sample(c.world->features, b, i, sample_light(light, load3<R>(b.p, i), u), light.body, F(1));
+        const Vec3<R> p = load3<R>(b.p, i);
+        if constexpr (std::is_same_v<Kind<Real>, RectLightData<Real>>) {
+            if (any(is_near(light, p)))
+                sample_near_packet(c, i, light, u);
+            else
+                store_sample(c.world->features, b, i, sample_area(light, p, u), light.body, F(1));
+        } else {
+            store_sample(c.world->features, b, i, sample_light(light, p, u), light.body, F(1));
+        }
     }
     shade_and_trace(c);
 }
