@@ -154,7 +154,8 @@ void add_run_options(CLI::App& app, RenderArguments& a, Texts& t) {
 }
 
 void add_options(CLI::App& app, RenderArguments& a, Texts& t) {
-    app.add_option("scene", t.scene, "Scene file: YAML (.yaml, .yml) or legacy text")->option_text("FILE");
+    // Not "scene", for --scene has that name: CLI11 2.4 refuses a positional that shares its name with an option.
+    app.add_option("file", t.scene, "Scene file: YAML (.yaml, .yml) or legacy text")->option_text("FILE");
     app.add_option("-s,--scene", t.legacy_scene, "The same, as the 2008 program took it")->option_text("FILE");
     add_output_options(app, a, t);
     add_frame_options(app, a, t);

@@ -50,6 +50,13 @@ TEST(RenderUsage, HelpSaysWhatIsAFileAndEveryTypeOfPicture) {
         EXPECT_TRUE(contains(help, std::string(" ") + type + ' '));
 }
 
+// CLI11 2.4 refuses such a pair, and so the program would not start; older releases let it be.
+TEST(RenderUsage, NoOptionHasTheNameOfThePositional) {
+    const std::string help = render({"--help"}).out;
+    ASSERT_TRUE(contains(help, "Usage: drt-render [OPTIONS] [file]"));
+    EXPECT_EQ(help.find("--file"), std::string::npos) << help;
+}
+
 TEST(RenderUsage, SceneAndOutputAreNeeded) {
     const TempFolder folder;
     const std::string scene = folder.write("scene.yaml", small_scene);
