@@ -60,9 +60,9 @@ Color render_one_ray_at_a_time(const SceneDesc& s, const BareBodies& bodies, con
     for (int y = 0; y < s.render.height; ++y)
         for (int x = 0; x < s.render.width; ++x)
             for (int sample = 0; sample < spp; ++sample) {
-                const SampleSet<float> set{sample_key<std::uint32_t>(s.render.seed, 0, std::uint32_t(sample % 2),
-                                                                     std::uint32_t(x), std::uint32_t(y)),
-                                           std::uint32_t(sample / 2)};
+                const SampleSet<float> set =
+                    pixel_sample<float>(s.render.seed, 0, std::uint32_t(sample % 2), std::uint32_t(x), std::uint32_t(y),
+                                        std::uint32_t(sample / 2));
                 const FilterSample<float> f =
                     sample_filter(filter, sample_2d(SamplerKind::sobol, set, dim(PathDim::filter)));
                 const float px = (float(x) + 0.5f + f.offset.x - float(s.render.width) / 2) * eye.pixel_size;

@@ -78,7 +78,7 @@ std::uint64_t digest(DimId d) {
                 x = U([&](auto i) { return first + std::uint32_t(i); });
             else
                 x = first;
-            const SampleSet<T> set{sample_key<U>(1, 2, 1, U(x * 37u), U(x * x)), U(index)};
+            const SampleSet<T> set = pixel_sample<T>(1, 2, 1, U(x * 37u), U(x * x), U(index));
             const Vec2<T> p = sample_2d(SamplerKind::sobol, set, d);
             const T x_alone = sample_1d(SamplerKind::sobol, set, d);
             for (int i = 0; i < width_of<T>; ++i) {
@@ -99,16 +99,16 @@ std::vector<DimId> pinned_dimensions() {
 }
 
 constexpr std::uint64_t pinned[] = {
-    0x258f08ea0ae7cfbeu, 0xc5fc58a11a31714au, 0xc209a57f5cf975f8u, 0x8bc79e7827492bdfu, 0x632fa3447bf2230cu,
-    0x15485d7dbc2c468du, 0x509eb9d37c97cc05u, 0x365231c15905724cu, 0x4914b72246eb0a4au, 0xe61ca2e054f59350u,
-    0x7b7e92c03cd51b97u, 0xf2dc8ad918a13484u, 0x9c92d7a81247ae26u, 0x9805dbbbffd2bdcau, 0x8a2bf7456d3c7fb5u,
-    0x8a876d73cdfc4933u, 0x7a72864550cd8760u, 0xde2ddc3a694d8bd3u, 0x3cf5e743e78a0819u, 0xbdbbbc7af909328cu,
-    0x989526f303d9ffa8u, 0x712ac1346607d0d3u, 0xdad6f2770d82c306u, 0xff064f91c5c84a05u, 0x7992c07bd55f436fu,
-    0x6e06eb8933c8c03cu, 0xce4b3206ade8953fu, 0xf21d82b76d884f5du, 0x6d75d80b549dbc83u, 0xeb0ee00b4c43cb42u,
-    0x8336345edd59247eu, 0x973c5c1a79c00feau, 0xb8724da513622ed7u, 0x15127b5433252073u, 0x740bbc4ce5a2cbeeu,
-    0xcc6ac4857186f55du, 0x2684f3febd55fb8eu, 0xa26486b117840c4u,  0x3c15ec5b36bde3edu, 0x91e1602fde85495au,
-    0x63adcdfd78507a31u, 0xc112590ab1e07d11u, 0x267217e8e9d1cdafu, 0x4f651fdc1ae93bd7u, 0x2d2ed51fc54c59ebu,
-    0xb0ad7b2bf41cbac2u, 0x2acd6acef4bfa2feu, 0x3d2b400dc23a5727u};
+    0x08c5f69aabe42214u, 0xb181fc71f8e8b4f3u, 0xa69eba7dde9ecc5bu, 0x93c27220d8ce08c6u, 0x8750f85d7bfb1ab6u,
+    0x1c96849dd458e4b1u, 0xcf83d04816cda1b1u, 0x0e227b7eec49f137u, 0xe4880f7835b935ffu, 0x3138006e87f61581u,
+    0xed3849e8a08b7d45u, 0x9d45ee5f2e3df814u, 0xb78573f3c8a5a3dbu, 0xfce5597b22d7f5cdu, 0x16793a9bfefda057u,
+    0xbea92d61a0ff4621u, 0xc149102b9c9e5f2cu, 0xe72e0bd8567f5dcau, 0x50434e0651ed347eu, 0x056d5e3ae4b72575u,
+    0xbf3ee456402d36feu, 0xff5e8d9b852427e4u, 0x9a456c5a08cd1dfcu, 0x4f2127fbc6786a0cu, 0x6ec1e92321e7c845u,
+    0x01189a2a6fff1e99u, 0xe825d46746e74039u, 0xac307bec7e6b827du, 0xde05bc621b0b7776u, 0x005bd69388825a94u,
+    0x0635f0cc7e96f2eau, 0x69416445fa7bbcd6u, 0x7f2ef2ad5f363ecau, 0xf04bbcc2fd8d7136u, 0xf581c1da002e425au,
+    0x37b0e1d878026dedu, 0x967657f1a6f8dae5u, 0x8a9ebfd830319110u, 0xeafe7a95366583a5u, 0x8b10c707c1eb661cu,
+    0xf99998f05599fc5cu, 0xbadbb034aea3bbbau, 0x4d9274ecac06d291u, 0x81341bbda89bafd2u, 0x482146fced1fae25u,
+    0x04b70de48bad1082u, 0x47df96208193b44au, 0xb7609d3c7235b51eu};
 
 TEST(Dimensions, PointsStayTheSame) {
     // 3840 points. A change of their bits changes every picture, and makes checkpoints and references of older versions

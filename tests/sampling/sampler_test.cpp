@@ -89,13 +89,14 @@ void expect_lanes_equal_scalars() {
     for (const auto kind : {SamplerKind::sobol, SamplerKind::independent})
         for (std::uint32_t first = 0; first < 256; first += W) {
             const U x([&](auto i) { return first + std::uint32_t(i); }), y(first / 7);
-            const SampleSet<T> set{sample_key<U>(3, 4, 1, x, y), x * 3u};
+            const SampleSet<T> set = pixel_sample<T>(3, 4, 1, x, y, U(x * 3u));
             const Vec2<T> p = sample_2d<T>(kind, set, light);
             const T q = sample_1d<T>(kind, set, lens);
             for (int i = 0; i < W; ++i) {
-                const SampleSet<S> one{sample_key<std::uint32_t>(3, 4, 1, first + std::uint32_t(i), first / 7),
-                                       (first + std::uint32_t(i)) * 3u};
+                const std::uint32_t column = first + std::uint32_t(i);
+                const SampleSet<S> one = pixel_sample<S>(3, 4, 1, column, first / 7, column * 3u);
                 ASSERT_EQ(lane(set.key, i), one.key);
+                ASSERT_EQ(lane(set.offset, i), one.offset);
                 ASSERT_EQ(lane(p.x, i), sample_2d<S>(kind, one, light).x);
                 ASSERT_EQ(lane(p.y, i), sample_2d<S>(kind, one, light).y);
                 ASSERT_EQ(lane(q, i), sample_2d<S>(kind, one, lens).x);

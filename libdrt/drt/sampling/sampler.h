@@ -5,7 +5,10 @@
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020. A path's dimensions in the order of its events
 // (filter, lens, time, bounce 0, bounce 1, ...) are stratified jointly in fours (joint_index.h); the fours have
 // independently shuffled indices. Because a dimension is found by its name (dimension.h), a plan that does not draw one
-// never shifts the others. Nothing depends on the number of samples that will be taken.
+// never shifts the others. Neighbouring pixels are stratified with each other as well (pixel_offset.h). Nothing depends
+// on the number of samples that will be taken.
+//
+// All of this is frozen: a change of a single bit changes every picture (docs/sampling.md).
 
 #include <cstdint>
 
@@ -14,6 +17,7 @@
 #include "drt/sampling/dimension.h"
 #include "drt/sampling/hash.h"
 #include "drt/sampling/joint_index.h"
+#include "drt/sampling/pixel_offset.h"
 
 namespace drt {
 
@@ -22,20 +26,31 @@ enum class SamplerKind {
     independent,  ///< uncorrelated hashes: for tests and as a yardstick
 };
 
-/// Names a pixel's sample set. `T` is float or double, scalar or lanes.
+/// Names a sample of a pixel. `T` is float or double, scalar or lanes.
 template <class T>
 struct SampleSet {
     using U = Rebind<T, std::uint32_t>;
-    U key;    ///< from sample_key()
-    U index;  ///< number of the sample within its replicate, from 0
+    U key;             ///< of the pixel's block, from sample_key()
+    U index;           ///< number of the sample within its replicate, from 0
+    U offset = U(0u);  ///< the pixel's, from pixel_offset()
 };
 
-/// The key of a pixel's sample set: well mixed, so that neighbours, frames, seeds and replicates are independent.
+/// The key of the block of pixels in column x and row y of blocks: well mixed, so that blocks, frames, seeds and
+/// replicates are independent.
 template <class U>
 [[gnu::always_inline]] inline U sample_key(std::uint32_t seed, std::uint32_t frame, std::uint32_t replicate, const U& x,
                                            const U& y) {
     const std::uint32_t image = hash_combine(hash_combine(mix_bits(seed), frame), replicate);
     return hash_combine(hash_combine(U(image), x), y);
+}
+
+/// Sample `index` of a pixel.
+template <class T, class U = Rebind<T, std::uint32_t>>
+[[gnu::always_inline]] inline SampleSet<T> pixel_sample(std::uint32_t seed, std::uint32_t frame,
+                                                        std::uint32_t replicate, const U& x, const U& y,
+                                                        const U& index) {
+    const U key = sample_key<U>(seed, frame, replicate, x >> offset_block_bits, y >> offset_block_bits);
+    return {key, index, pixel_offset(place_in_block(x, y))};
 }
 
 /// Bits to [0, 1): the upper 24 for float (32 could round up to 1), all 32 for double.
@@ -95,7 +110,7 @@ template <class U>
 
 }  // namespace sampler_detail
 
-/// A sample set as the dimensions of one group see it: its index is shuffled.
+/// A sample set as the dimensions of one group see it: its index is shuffled and has the pixel's offset.
 template <class T>
 struct GroupSamples {
     using U = Rebind<T, std::uint32_t>;
@@ -111,13 +126,14 @@ struct SlotSamples {
     U index;  ///< within the slot's point set
 };
 
-/// Owen-shuffled: every aligned block of 2^k indices maps to an aligned block of 2^k.
+/// Owen-shuffled: every aligned block of 2^k samples maps to an aligned block of 2^k. Only here pixels of a block go
+/// different ways.
 template <class T>
 [[gnu::always_inline]] inline GroupSamples<T> in_group(SamplerKind kind, const SampleSet<T>& set, DimId dimension) {
     using U = Rebind<T, std::uint32_t>;
-    if (kind == SamplerKind::independent) return {set.key, set.index};
+    if (kind == SamplerKind::independent) return {set.key, U(set.index ^ set.offset)};
     const U shuffle = hash_combine(set.key, U(mix_bits(joint_slot(dimension).group + 0xb5297a4du)));
-    return {set.key, reverse_bits(owen_scramble_reversed(reverse_bits(set.index), shuffle))};
+    return {set.key, U(reverse_bits(owen_scramble_reversed(reverse_bits(set.index), shuffle)) ^ set.offset)};
 }
 
 /// The dimension must be of the group.

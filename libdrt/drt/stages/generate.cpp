@@ -25,6 +25,14 @@ static_assert(joint_slot(dim(PathDim::filter)).group == joint_slot(dim(PathDim::
               joint_slot(dim(PathDim::filter)).group == joint_slot(dim(PathDim::time)).group &&
               joint_slot(dim(PathDim::filter)).group == joint_slot(hit_dim(0)).group);
 
+// The film's blocks are those whose pixels share a key, in the order of places that have offsets (sample_of()).
+constexpr bool offsets_fit_the_film() {
+    for (std::uint32_t i = 0; i < block_pixels; ++i)
+        if (place_in_block(std::uint32_t(block_x[i]), std::uint32_t(block_y[i])) != i) return false;
+    return block_side == 1 << offset_block_bits;
+}
+static_assert(offsets_fit_the_film());
+
 // Names the sample sets of packet i's pixels and draws the points of the unit square for their pixel filter, into p.x
 // and p.y, which nobody needs yet: samples `first`, first + replicate_count, ..., all of one replicate, so that the
 // hashes that make its key and scrambles are the same for all of them. `hit_index` holds the index as shuffled for the
@@ -41,16 +49,16 @@ template <SamplerKind kind, class Real>
     constexpr DimId dimension = dim(PathDim::filter);
     const auto [x, y] = pixel_at<I>(c.pixels, i);
     const auto inside = x < I(c.world->camera.film.width) && y < I(c.world->camera.film.height);
-    const U key =
-        sample_key<U>(plan.seed, plan.frame, std::uint32_t(replicate_of(c.first_sample + std::uint32_t(first))),
-                      num_cast<U>(x), num_cast<U>(y));
+    SampleSet<F> set =
+        pixel_sample<F>(plan.seed, plan.frame, std::uint32_t(replicate_of(c.first_sample + std::uint32_t(first))),
+                        num_cast<U>(x), num_cast<U>(y), U(0u));
     for (int s = first; s < c.samples; s += replicate_count) {
         const int slot = s * c.pixels.count() + i;
-        const U index(index_in_replicate(c.first_sample + std::uint32_t(s)));
-        const GroupSamples<F> samples = in_group(kind, SampleSet<F>{key, index}, dimension);
+        set.index = U(index_in_replicate(c.first_sample + std::uint32_t(s)));
+        const GroupSamples<F> samples = in_group(kind, set, dimension);
         store(select(inside, iota<I>() + slot, I(-1)), b.slot.at(slot));
-        store(key, b.key.at(slot));
-        store(index, b.index.at(slot));
+        store(set.key, b.key.at(slot));
+        store(set.index, b.index.at(slot));
         store(samples.index, b.hit_index.at(slot));
         if (!c.world->features.pixel_filter) continue;
         const Vec2<F> u = sample_2d(kind, at_slot(kind, samples, dimension), dimension);

@@ -219,7 +219,7 @@ void draw_from_tree(StageContext<Real>& c) {
     for (int i = 0; i < whole_packets; ++i) {
         std::array<LightDraw, tree_draws> drawn{};
         if (b.slot[i] >= 0 && b.material[i] >= 0) {
-            const Vec2<float> u = sample_2d(c.world->sampling.kind, SampleSet<float>{b.key[i], b.index[i]}, dimension);
+            const Vec2<float> u = sample_2d(c.world->sampling.kind, sample_of<float>(b, i), dimension);
             const Vec3<Real> p{b.p.x[i], b.p.y[i], b.p.z[i]};
             const Vec3f n{float(b.n.x[i]), float(b.n.y[i]), float(b.n.z[i])};
             choose_lights(c.world->lights.tree, p, n, std::uint32_t(u.x * 0x1p24f) << 8,
@@ -237,14 +237,12 @@ template <class Real>
 void draw_by_power(StageContext<Real>& c, int draw) {
     using P = Pack<Real>;
     using F = typename P::F;
-    using U = typename P::U;
     using I = typename P::I;
     RayBatch<Real>& b = *c.batch;
     const PowerChoice& plain = c.world->lights.plain;
     const DimId dimension = dim(HitDim::light_choice, b.bounce);
     for (int i = 0; i < b.count; i += P::width) {
-        const SampleSet<F> samples{load<U>(b.key.at(i)), load<U>(b.index.at(i))};
-        const F u = sample_1d(c.world->sampling.kind, samples, dimension);
+        const F u = sample_1d(c.world->sampling.kind, sample_of<F>(b, i), dimension);
         const Choice<F> chosen = choose(plain.by_power, F((u + F(float(draw))) * F(1.0f / plain_draws)));
         store(gather<I>(plain.lights.data(), chosen.index), b.drawn[size_t(draw)].light.at(i));
         store(F(chosen.probability * F(plain_draws)), b.drawn[size_t(draw)].samples.at(i));

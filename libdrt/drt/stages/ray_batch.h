@@ -8,6 +8,7 @@
 
 #include "drt/accel/accel.h"
 #include "drt/base/color.h"
+#include "drt/sampling/sampler.h"
 
 namespace drt {
 
@@ -82,8 +83,9 @@ struct RayBatch {
     Column3<Real> o, d;
     Column<float> time;  ///< 0 where nothing moves
     Column<std::int32_t> start;
-    Column<std::int32_t> slot;         ///< -1: padding, no ray
-    Column<std::uint32_t> key, index;  ///< the path's sample set
+    /// -1: padding, no ray. The lowest four bits are the pixel's place in its block of the film.
+    Column<std::int32_t> slot;
+    Column<std::uint32_t> key, index;  ///< of the path's sample
     Column<std::uint32_t> hit_index;   ///< the same at the joint slot of the next hit's lights and lobe
     Column3<float> throughput;
     Column<float> footprint, spread;  ///< of the ray's cone: width at the origin, growth per length; if textured
@@ -117,6 +119,14 @@ struct RayBatch {
           media(size_t(media_capacity) * batch_capacity),
           media_count(media_capacity > 0 ? batch_capacity : 0) {}
 };
+
+/// The sample that ray i, or packet i, belongs to.
+template <class T, class Real>
+[[gnu::always_inline]] inline SampleSet<T> sample_of(const RayBatch<Real>& b, int i) {
+    using U = Rebind<T, std::uint32_t>;
+    const U place = num_cast<U>(load<Rebind<T, std::int32_t>>(b.slot.at(i)));
+    return {load<U>(b.key.at(i)), load<U>(b.index.at(i)), pixel_offset(place)};
+}
 
 template <class Real>
 PathMedia path_media(const RayBatch<Real>& b) {

@@ -150,7 +150,7 @@ void scatter_stage(StageContext<Real>& c) {
         if (!any(live)) continue;
         Color3<F> throughput = load_color<F>(b.throughput, i) * share;
         if (w.features.brightens) cut_brightness(throughput, live, *c.counters);
-        const SampleSet<F> samples{load<U>(b.key.at(i)), load<U>(b.index.at(i))};
+        const SampleSet<F> samples = sample_of<F>(b, i);
         live = live && survive(w, b, samples, throughput);
         if (!any(live)) continue;
         const Directions<Real> dir = choose_direction(w, b, i, samples, material, live);
