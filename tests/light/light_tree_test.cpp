@@ -66,7 +66,7 @@ TEST(LightTree, GrazingLightsAreNotLeftOut) {
     for (int k = 0; k < 2000; ++k) {
         LightTable<double> t;
         const Vec3d p = r.in_box(2), n = r.direction();
-        for (int i = 0; i < 12; ++i) {
+        for (int i = 0; i < 20; ++i) {
             const double d = r.scale(1e-3, 1e3);
             const Vec3d side = normalize(cross(n, r.direction()));
             const Vec3d at = p + side * d + n * (d * r.scale(1e-5, 1e-2));
@@ -85,15 +85,20 @@ TEST(LightTree, GrazingLightsAreNotLeftOut) {
     }
 }
 
+TreeDraws drawn_at(const LightTree& tree, const Vec3d& p, const Vec3f& n, std::uint32_t u, std::uint32_t fresh) {
+    const std::array<TreePoint<double>, 1> point{{{p, n, u, fresh}}};
+    TreeDraws draws;
+    choose_lights<double>(tree, point, &draws);
+    return draws;
+}
+
 /// How often each light is drawn.
 std::map<LightId, double> drawn(const LightTree& tree, const Vec3d& p, const Vec3f& n, int points) {
     std::map<LightId, double> counts;
     std::mt19937 bits(7);
-    std::array<LightDraw, tree_draws> draws;
     for (int i = 0; i < points; ++i) {
         const auto u = std::uint32_t(bits());
-        choose_lights(tree, p, n, u, std::uint32_t(bits()), draws);
-        for (const LightDraw& d : draws) counts[d.light] += 1;
+        for (const LightDraw& d : drawn_at(tree, p, n, u, std::uint32_t(bits()))) counts[d.light] += 1;
     }
     return counts;
 }
@@ -129,16 +134,33 @@ TEST(LightTree, LightsAreDrawnWithTheStatedProbability) {
     }
 }
 
+TEST(LightTree, PointsTogetherDrawWhatTheyDrawAlone) {
+    RandomLights r(6);
+    for (const LightSet& set : test::light_sets()) {
+        std::vector<TreePoint<double>> points;
+        for (std::uint32_t k = 0; k < points_at_once; ++k)
+            points.push_back({r.in_box(2 * set.half), Vec3f(r.direction()), k * 0x9e3779b9u, 77u * k});
+        std::array<TreeDraws, points_at_once> together;
+        choose_lights<double>(set.lights.tree, points, together.data());
+        for (size_t i = 0; i < points.size(); ++i) {
+            const TreeDraws alone = drawn_at(set.lights.tree, points[i].p, points[i].n, points[i].u, points[i].fresh);
+            for (size_t k = 0; k < alone.size(); ++k) {
+                EXPECT_EQ(together[i][k].light, alone[k].light);
+                EXPECT_EQ(together[i][k].probability, alone[k].probability);
+            }
+        }
+    }
+}
+
 // A draw says the probability that choice_probability says.
 TEST(LightTree, DrawsAndProbabilitiesAgreeToTheLastDigits) {
     RandomLights r(5);
-    std::array<LightDraw, tree_draws> draws;
     for (const LightSet& set : test::light_sets()) {
         for (int k = 0; k < 200; ++k) {
             const Vec3d p = r.in_box(2 * set.half);
             const Vec3f n(r.direction());
-            choose_lights(set.lights.tree, p, n, std::uint32_t(k) * 0x9e3779b9u, 77u * std::uint32_t(k), draws);
-            for (const LightDraw& d : draws) {
+            const auto u = std::uint32_t(k) * 0x9e3779b9u, fresh = 77u * std::uint32_t(k);
+            for (const LightDraw& d : drawn_at(set.lights.tree, p, n, u, fresh)) {
                 if (d.light == no_light) continue;
                 EXPECT_NEAR(d.probability / choice_probability(set.lights.tree, d.light, p, n), 1, 1e-5f);
             }
@@ -157,15 +179,13 @@ TEST(LightTree, TheMeanOverDrawsIsTheSumOverAllLights) {
         for (int k = 0; k < 4; ++k) {
             const Vec3d p = r.in_box(set.half), n = r.direction();
             test::Mean chosen, all;
-            std::array<LightDraw, tree_draws> draws;
             // A light that is hardly ever drawn would be worth 1000 draws once in a while: no mean shows it.
             std::map<LightId, bool> rare;
             for (const LightId id : ids) rare[id] = choice_probability(set.lights.tree, id, p, Vec3f(n)) < 1e-3;
             for (int i = 0; i < 20000; ++i) {
                 const auto u = std::uint32_t(bits());
-                choose_lights(set.lights.tree, p, Vec3f(n), u, std::uint32_t(bits()), draws);
                 double sum = 0;
-                for (const LightDraw& d : draws)
+                for (const LightDraw& d : drawn_at(set.lights.tree, p, Vec3f(n), u, std::uint32_t(bits())))
                     if (d.light != no_light && !rare[d.light])
                         sum += sampled(set.lights, d.light, p, n, r) / (tree_draws * double(d.probability));
                 chosen.add(sum);

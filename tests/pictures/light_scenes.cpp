@@ -89,13 +89,13 @@ PictureCase inside_a_light() {
     return picture;
 }
 
-/// Forty small lights.
+/// Seventy-two small lights: 54 with falloff, of which a tree chooses, and 18 without, chosen by power.
 PictureCase many_lights() {
     PictureCase picture{"many lights", shadow_scene()};
     picture.reference_spp = 64;
-    for (int i = 0; i < 40; ++i) {
-        const double x = (i % 8) - 3.5, z = double(i / 8) - 2;
-        const Color color{0.04f * float(i % 3), 0.03f, 0.05f * float(i % 2)};
+    for (int i = 0; i < 72; ++i) {
+        const double x = (i % 8) - 3.5, z = 0.5 * double(i / 8) - 2;
+        const Color color{0.02f * float(i % 3), 0.015f, 0.025f * float(i % 2)};
         if (i % 4 == 0)
             picture.scene.lights.push_back(light("rect", lamp({x, 3, z}, 0.4), color * 4.0f));
         else if (i % 4 == 1)
@@ -109,8 +109,8 @@ PictureCase many_lights() {
     return picture;
 }
 
-/// A dozen visible rectangles and a dozen visible spheres of very different power over a dull mirror: chosen by power
-/// at every hit, seen by the lobes. One light is black.
+/// A dozen visible rectangles and a dozen visible spheres of very different power over a dull mirror: chosen by a
+/// tree at every hit, seen by the lobes. One light is black.
 PictureCase many_visible_lights() {
     PictureCase picture{"many visible lights", shadow_scene()};
     SceneDesc& scene = picture.scene;

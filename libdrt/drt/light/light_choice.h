@@ -6,7 +6,7 @@
 
 namespace drt {
 
-inline constexpr int few_lights = 8;
+inline constexpr int few_lights = 16;
 inline constexpr int plain_draws = 4;  ///< of lights without falloff, stratified
 
 /// Fills asked, tree and plain.

@@ -113,16 +113,18 @@ void write_box(LightNode& node, const LightBounds& all, const LightBounds* child
         const double lower = component(all.lower, axis), upper = component(all.upper, axis);
         // Not finer than what a coordinate loses as a float: a step more to either side then covers the light.
         const double coordinate = std::max(std::abs(lower), std::abs(upper));
-        const auto step = float(std::max({(upper - lower) / 65520, coordinate * 0x1p-22, 1e-18}));
+        const auto step = float(std::max({(upper - lower) / 32752, coordinate * 0x1p-22, 1e-18}));
         const auto origin = float(lower - 4.0 * double(step));
         node.step[axis] = step;
         node.origin[axis] = origin;
         const auto quantised = [&](double v, double more) {
-            return std::uint16_t(std::clamp((v - double(origin)) / double(step) + more, 0.0, 65535.0));
+            return int(std::clamp((v - double(origin)) / double(step) + more, 0.0, 32767.0));
         };
         for (int i = 0; i < node.count; ++i) {
-            node.lower[axis][i] = quantised(component(children[i].lower, axis), -1);
-            node.upper[axis][i] = quantised(component(children[i].upper, axis), 2);
+            const int from = quantised(component(children[i].lower, axis), -1);
+            const int to = quantised(component(children[i].upper, axis), 2);
+            node.sum[axis][i] = std::uint16_t(to + from);
+            node.extent[axis][i] = std::uint16_t(to - from);
         }
     }
 }
@@ -135,6 +137,7 @@ void write_cone(LightNode& node, int i, const LightBounds& b) {
     const bool all_directions = b.spread >= pi<double> / 2 || sine >= 255;
     node.cos_spread[i] = all_directions ? 0 : std::uint8_t(std::lround(std::cos(b.spread) * 255));
     node.sin_spread[i] = all_directions ? 255 : std::uint8_t(sine);
+    if (!all_directions) node.directed = 1;
 }
 
 class Builder {
@@ -161,7 +164,7 @@ public:
         }
         LightNode node{};
         node.parent = parent;
-        node.count = std::int32_t(parts.size());
+        node.count = std::int16_t(parts.size());
         std::copy(child.begin(), child.end(), node.child);
         const LightBounds all = unite(bounds.data(), node.count);
         write_box(node, all, bounds.data());

@@ -216,20 +216,35 @@ void draw_from_tree(StageContext<Real>& c) {
     const DimId dimension = dim(HitDim::light_tree, b.bounce);
     constexpr int width = Pack<Real>::width;
     const int whole_packets = (b.count + width - 1) / width * width;
-    for (int i = 0; i < whole_packets; ++i) {
-        std::array<LightDraw, tree_draws> drawn{};
-        if (b.slot[i] >= 0 && b.material[i] >= 0) {
-            const Vec2<float> u = sample_2d(c.world->sampling.kind, sample_of<float>(b, i), dimension);
-            const Vec3<Real> p{b.p.x[i], b.p.y[i], b.p.z[i]};
-            const Vec3f n{float(b.n.x[i]), float(b.n.y[i]), float(b.n.z[i])};
-            choose_lights(c.world->lights.tree, p, n, std::uint32_t(u.x * 0x1p24f) << 8,
-                          std::uint32_t(u.y * 0x1p24f) << 8, drawn);
-        }
+    std::array<TreePoint<Real>, points_at_once> points;
+    std::array<int, points_at_once> hits;
+    size_t waiting = 0;
+    const auto store_draws = [&](int i, const TreeDraws& drawn) {
         for (size_t k = 0; k < drawn.size(); ++k) {
             b.drawn[k].light[i] = drawn[k].light;
             b.drawn[k].samples[i] = float(tree_draws) * drawn[k].probability;
         }
+    };
+    const auto choose = [&] {
+        std::array<TreeDraws, points_at_once> drawn;
+        choose_lights<Real>(c.world->lights.tree, std::span(points).first(waiting), drawn.data());
+        for (size_t k = 0; k < waiting; ++k) store_draws(hits[k], drawn[k]);
+        waiting = 0;
+    };
+    for (int i = 0; i < whole_packets; ++i) {
+        if (b.slot[i] < 0 || b.material[i] < 0) {
+            store_draws(i, {});
+            continue;
+        }
+        const Vec2<float> u = sample_2d(c.world->sampling.kind, sample_of<float>(b, i), dimension);
+        points[waiting] = {{b.p.x[i], b.p.y[i], b.p.z[i]},
+                           {float(b.n.x[i]), float(b.n.y[i]), float(b.n.z[i])},
+                           std::uint32_t(u.x * 0x1p24f) << 8,
+                           std::uint32_t(u.y * 0x1p24f) << 8};
+        hits[waiting++] = i;
+        if (waiting == points_at_once) choose();
     }
+    choose();
 }
 
 // Lights without falloff, by power.
