@@ -114,6 +114,8 @@ PictureCase many_lights() {
 PictureCase many_visible_lights() {
     PictureCase picture{"many visible lights", shadow_scene()};
     SceneDesc& scene = picture.scene;
+    picture.reference_spp = 512;
+    picture.rare = 4.8;  // the floor's half of the brightest ball
     scene.render.max_depth = 2;
     scene.materials[0].reflectance = 0.5;
     scene.materials[0].reflection_spread_degrees = 8;

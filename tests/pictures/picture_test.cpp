@@ -20,6 +20,7 @@ void expect_same_as_reference(const PictureCase& picture, const PlanOptions& opt
     plan.frame = picture.frame;
     CompareOptions compare;
     compare.absolute_tolerance = picture.tolerance;
+    compare.rare_step = picture.rare / reference_spp;
     const CompareResult result = compare_pictures(estimate_scene(scene, plan, render_spp), expected, compare);
     EXPECT_TRUE(result.same) << picture.name << ", drt and reference: " << result.report;
 }

@@ -16,6 +16,9 @@ struct PictureCase {
     int reference_spp = 256;
     int render_spp = 128;
     double tolerance = 1e-7;  ///< of the mean of a block: what drt's texture filter blurs and the reference does not
+    /// How bright the samples are of which the reference meets so few in a block that it may know nothing of them (a
+    /// glossy lobe's of small visible lights); 0: there are none.
+    double rare = 0;
     /// What the reference renders, where it cannot render the scene as it stands.
     std::optional<SceneDesc> reference_scene{};
 };

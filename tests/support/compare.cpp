@@ -61,11 +61,13 @@ BlockSum sum_block(const PictureEstimate& picture, const BlockScore& block) {
 BlockScore score_block(const PictureEstimate& a, const PictureEstimate& b, BlockScore block,
                        const CompareOptions& options) {
     BlockSum sum_a = sum_block(a, block);
-    const BlockSum sum_b = sum_block(b, block);
+    BlockSum sum_b = sum_block(b, block);
     if (const double ratio = options.least_variance_ratio; sum_a.variance < ratio * sum_b.variance) {
         sum_a.variance = ratio * sum_b.variance;
         sum_a.squares = ratio * ratio * sum_b.squares;
     }
+    // A Poisson number of steps has a variance of its mean times the step. As the score test has it: Rao 1948.
+    sum_b.variance += options.rare_step * std::max(0.0, sum_a.mean - sum_b.mean);
     const double variance = sum_a.variance + sum_b.variance;
     const double pixels = double(block.width) * block.height;
     block.mean_a = sum_a.mean / pixels;

@@ -30,6 +30,11 @@ struct CompareOptions {
     /// For `b` of the same scene with that many times `a`'s samples: where rare bright samples make the picture, a's
     /// few may not include one, so a's own variance is 0 and b knows better what it should be.
     double least_variance_ratio = 0;
+    /// The most that one sample adds to the mean of a pixel of `b` where bright samples are rare: their value over the
+    /// samples of a pixel; 0 = none are. A block of b that met none, where it should have met one or two, has a
+    /// variance that knows of none, with however many samples. So b counts as noisy as it would be if the mean of a,
+    /// where that is higher, were its true one, and what it lacks came in such samples.
+    double rare_step = 0;
 };
 
 struct BlockScore {

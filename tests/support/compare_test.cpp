@@ -110,6 +110,24 @@ TEST(ComparePictures, RareBrightSamplesPassWithTheVarianceOfTheBetterPicture) {
     EXPECT_FALSE(compare_pictures(darker, better, options).same);
 }
 
+// The same against a picture that knows the mean: blocks without a bright sample have a variance of 0.
+TEST(ComparePictures, RareBrightSamplesThatABlockMissedPassWithTheirStep) {
+    std::mt19937_64 random(6);
+    PictureEstimate exact(width, height);
+    for (Rgb& color : exact.mean) color = Rgb(0.5 + 20 * 0.02);
+    CompareOptions options;
+    EXPECT_FALSE(compare_pictures(exact, rarely_bright(random, 8), options).same) << "no need for the option";
+    options.rare_step = 20.0 / 8;
+    int alarms = 0;
+    for (int i = 0; i < 50; ++i) alarms += !compare_pictures(exact, rarely_bright(random, 8), options).same;
+    EXPECT_EQ(alarms, 0);
+    for (const double factor : {0.8, 1.2}) {
+        PictureEstimate changed = exact;
+        for (Rgb& color : changed.mean) color *= factor;
+        EXPECT_FALSE(compare_pictures(changed, rarely_bright(random, 8), options).same) << factor;
+    }
+}
+
 int times_caught(double light, double lobe, double shift) {
     std::mt19937_64 random(4);
     int caught = 0;
