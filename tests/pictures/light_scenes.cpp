@@ -194,6 +194,19 @@ PictureCase glossy_reflections_of_many_lights() {
     return picture;
 }
 
+/// A wall parts the brightest from the faintest: lamps of 1e-9 and of 1e9 in one picture.
+PictureCase faint_and_bright() {
+    PictureCase picture{"faint and bright", shadow_scene()};
+    picture.tolerance = 0;  // there is nothing below the faint side
+    SceneDesc& scene = picture.scene;
+    scene.ambient_light = Color(0.0f);
+    scene.bodies[0].shape = Disc{{0, 0, 0}, {0, 1, 0}, 5};
+    add(scene, "wall", Box{{0, 5, 0}, {0.1, 10, 40}, {}}, shiny({0.6f, 0.6f, 0.6f}));
+    scene.lights = {light("faint", lamp({-1.5, 3, 1}, 0.8), Color{3e-9f, 2e-9f, 1e-9f}),
+                    light("bright", lamp({1.5, 3, 1}, 0.8), Color{1e9f, 2e9f, 3e9f})};
+    return picture;
+}
+
 }  // namespace
 
 std::vector<PictureCase> light_pictures() {
@@ -215,6 +228,7 @@ std::vector<PictureCase> light_pictures() {
         near_rectangles(),
         glossy_reflections_of_lights(),
         glossy_reflections_of_many_lights(),
+        faint_and_bright(),
     };
 }
 

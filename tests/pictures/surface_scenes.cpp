@@ -211,12 +211,34 @@ PictureCase touching() {
     return picture;
 }
 
+/// The same under so many lights that a tree chooses: shadow rays, too, leave from where bodies touch.
+PictureCase touching_under_many_lights() {
+    PictureCase picture = touching();
+    picture.name = "touching under many lights";
+    for (SceneDesc* scene : {&picture.scene, &*picture.reference_scene}) {
+        scene->ambient_light = Color(0.1f);
+        for (int i = 0; i < 20; ++i)
+            scene->lights.push_back(light("lamp" + std::to_string(i),
+                                          lamp({(i % 5) - 2.0, 2.6 + 0.2 * (i % 3), i / 5 * 0.8 - 0.8}, 0.3),
+                                          Color{0.5f, 0.4f, 0.3f} * float(1 + i % 4)));
+    }
+    return picture;
+}
+
 }  // namespace
 
 std::vector<PictureCase> surface_pictures() {
-    return {shapes(),       glass_shapes(),      nested_glass(),      bubbles(),
-            mirrors(),      glossy_reflection(), glossy_refraction(), inside_glass(),
-            eye_in_media(), touching()};
+    return {shapes(),
+            glass_shapes(),
+            nested_glass(),
+            bubbles(),
+            mirrors(),
+            glossy_reflection(),
+            glossy_refraction(),
+            inside_glass(),
+            eye_in_media(),
+            touching(),
+            touching_under_many_lights()};
 }
 
 }  // namespace drt
