@@ -16,9 +16,11 @@ using Curve = std::vector<V>;
 /// Clenshaw, "A note on the summation of Chebyshev series", 1955.
 template <class Value, class T, class V>
 [[gnu::always_inline]] inline Value value_at(const Curve<V>& c, const T& x) {
+    size_t k = c.size() - 1;
+    Value next(c[k]), second_next{};
+    if (k == 0) return next;
     const T x2 = T(2) * x;
-    Value next{}, second_next{};
-    for (size_t k = c.size() - 1; k > 0; --k) {
+    while (--k > 0) {
         const Value here = Value(c[k]) + next * x2 - second_next;
         second_next = next;
         next = here;

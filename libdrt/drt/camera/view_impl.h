@@ -32,7 +32,10 @@ View<T> view_at(const CameraModel<ScalarOf<T>>& c, const T& u) {
     }
     // An eye that passes through its target, or right above it, has no direction or no up for an instant: any will do.
     v.forward = select(target_distance > T(0), view / target_distance, Vec3<T>(T(0), T(0), T(-1)));
-    v.right = select(shows_up(v.forward, up), normalize(cross(v.forward, up)), frame_around(v.forward).x);
+    v.right = normalize(cross(v.forward, up));
+    const MaskOf<T> has_up = shows_up(v.forward, up);
+    if (any(!has_up)) [[unlikely]]
+        v.right = select(has_up, v.right, frame_around(v.forward).x);
     v.up = cross(v.right, v.forward);
     // Rounding must not turn the picture over where the angle of view comes near to 0 or 180 degrees.
     constexpr Real least = std::numeric_limits<Real>::epsilon();
