@@ -93,11 +93,16 @@ template <class T>
 
 // ---- rectangles ----------------------------------------------------------------------------------------------------
 
-/// Whether p is so near that the light is sampled over its solid angle. Of what is seen edge-on, only over the area:
-/// hardly anything comes from there, and directions lose their digits.
+/// Whether p is so near that the light is sampled over its solid angle: within the longer diagonal of its centre, and
+/// within 0.4 of that of its plane, as higher up the area does as well for less (docs/lights.md). Of what is seen
+/// edge-on only over the area: hardly anything comes from there, and directions lose their digits.
 template <class T>
 [[gnu::always_inline]] inline MaskOf<T> is_near(const RectLightData<T>& l, const Vec3<T>& p) {
-    return length_squared(l.center - p) < l.near2;
+    const Vec3<T> v = l.center - p;
+    const auto within = length_squared(v) < l.near2;
+    if (!any(within)) return within;
+    const T height = dot(v, l.normal);
+    return within && height * height < l.near2 * T(0.16f);
 }
 
 namespace light_detail {
@@ -171,8 +176,8 @@ template <class T>
     return s;
 }
 
-/// Uniform over the area; within the longer diagonal of the centre over the solid angle, as the area would send nearly
-/// all samples to where they count little. Without falloff always over the area.
+/// Uniform over the area; near the light over the solid angle, as the area would send nearly all samples to where they
+/// count little. Without falloff always over the area.
 template <class T>
 [[gnu::always_inline]] inline LightSample<T> sample_light(const RectLightData<T>& l, const Vec3<T>& p,
                                                           const Vec2<T>& u) {

@@ -32,7 +32,7 @@ struct RectLightData : LightCommon<Rebind<T, float>> {
     T area{};
     MaskOf<T> two_sided{};
     Vec3<T> center;
-    T near2{};  ///< squared distance from the centre within which it is sampled by solid angle
+    T near2{};  ///< squared longer diagonal: how far from the centre it may be sampled by solid angle
 };
 
 template <class T>
